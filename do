@@ -1,0 +1,77 @@
+#!/bin/sh
+# Seiche's errands. `./do` alone lists them.
+set -eu
+cd "$(dirname "$0")"
+
+# The one list of Debian packages: what building and running need, then what only tests or formatting need.
+build_packages="g++ cmake ninja-build libvtk9-dev libosmesa6-dev libglew-dev libeigen3-dev libsuitesparse-dev
+  libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev ffmpeg"
+test_packages="libgtest-dev"
+format_packages="clang-format"
+
+usage() {
+  cat <<'TEXT'
+usage: ./do VERB
+
+  deps     install the Debian packages that building and running need (root or sudo)
+  build    deps, then configure (Release, Ninja) and build into build/
+  demo     build, then run scenes/pan2008.toml and say where its movie is
+  test     build with tests, then run them all through CTest
+  format   rewrite the sources in the house style (clang-format)
+  clean    remove build/ and out/
+TEXT
+}
+
+# Installs those of the named packages that are missing; asks for nothing when all are there.
+install_packages() {
+  missing=""
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing="$missing $package"
+  done
+  [ -n "$missing" ] || return 0
+  if [ "$(id -u)" -eq 0 ]; then
+    as_root=""
+  elif command -v sudo >/dev/null; then
+    as_root="sudo"
+  else
+    echo "do: these Debian packages are missing and neither root nor sudo is at hand to install them:$missing" >&2
+    exit 1
+  fi
+  echo "do: installing$missing"
+  $as_root apt-get update -qq
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
+}
+
+build() {
+  cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSEICHE_TESTS="$1"
+  cmake --build build
+}
+
+case "${1:-}" in
+  "" | help | -h | --help) usage ;;
+  deps) install_packages $build_packages ;;
+  build)
+    install_packages $build_packages
+    build OFF
+    ;;
+  demo)
+    install_packages $build_packages
+    build OFF
+    build/seiche run scenes/pan2008.toml --overwrite
+    ;;
+  test)
+    install_packages $build_packages $test_packages
+    build ON
+    ctest --test-dir build --output-on-failure --parallel 2
+    ;;
+  format)
+    install_packages $format_packages
+    git ls-files '*.hpp' '*.cpp' | xargs clang-format -i
+    ;;
+  clean) rm -rf build out ;;
+  *)
+    echo "do: there is no verb '$1'" >&2
+    usage >&2
+    exit 2
+    ;;
+esac

@@ -1,0 +1,32 @@
+#pragma once
+#include <optional>
+#include <string>
+
+namespace seiche::render {
+
+/// How a picture looks. Every member is a scene key of [look] or [output].
+struct Look {
+  int width = 1280, height = 720;          ///< [pixels]
+  std::string colour_map = "viridis";      ///< viridis | cividis | cool-warm | turbo
+  std::string background = "white";        ///< white | black | transparent
+  std::string style = "disc";              ///< disc: edged discs that fill the spacing | dot: small plain ones
+  std::string view = "tank";               ///< tank: the tank stands still | lab: the tank moves
+  std::string range = "scene";             ///< scene | frame | run | "min,max" [Pa]
+  bool show_walls = true;
+  bool show_surface = true;                ///< mark free-surface particles
+  bool show_tank = true;                   ///< the tank's outline
+  bool show_bar = true;                    ///< the scalar bar
+  bool show_clock = true;
+  bool show_caption = true;                ///< kernel, spacing, scene
+  bool show_ruler = true;
+};
+
+/// A colour range [Pa].
+struct Range {
+  double low = 0, high = 1;
+};
+
+/// "min,max" as a range; nothing for the named modes. Throws std::invalid_argument on anything else.
+std::optional<Range> parse_range(const std::string& text);
+
+}  // namespace seiche::render

@@ -1,0 +1,77 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "render/image.hpp"
+#include "render/look.hpp"
+#include "solver/frame.hpp"
+
+// What the program uses of render: checks to make before a run, and sinks to hand frames to. VTK stays in the .cpp files.
+namespace seiche::render {
+
+/// No OpenGL: says which Debian package to install. The program exits with 4.
+struct NoGl : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// No ffmpeg, or it lacks the encoder: says which Debian package to install. The program exits with 5.
+struct NoEncoder : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// GL vendor, renderer and version, as in "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa 22.3.6,
+/// through OSMesa". Makes a context and drops it. Throws NoGl.
+std::string gl_description();
+
+/// Version of VTK, as in "9.1.0".
+std::string vtk_version();
+
+/// First line of `ffmpeg -version`, and which of the encoders that Seiche uses (libx264, libvpx-vp9, gif) it has. Throws NoEncoder.
+struct Ffmpeg {
+  std::string version;
+  std::vector<std::string> encoders;
+};
+Ffmpeg find_ffmpeg();
+
+/// Throws NoEncoder when `file`'s ending (.mp4 .webm .gif) can't be encoded here, std::invalid_argument for an unknown
+/// ending or a size that the codec refuses (odd width or height in .mp4 and .webm). Call it before the first step.
+void check_movie(const std::filesystem::path& file, int width, int height);
+
+/// Takes each finished picture; the same one goes to every taker, so that nothing is drawn twice.
+class ImageSink {
+ public:
+  virtual ~ImageSink() = default;
+  virtual void begin(const RunInfo& run, int width, int height) = 0;
+  virtual void image(const Image& image, const Frame& frame) = 0;
+  virtual void end() = 0;
+};
+
+/// folder/000123.png, numbered by Frame::index, with provenance (version, scene, hash, time, step, parameters) in text chunks.
+std::unique_ptr<ImageSink> png_series(const std::filesystem::path& folder);
+
+/// A movie streamed to the ffmpeg program while the run goes on; by ending: .mp4 (H.264), .webm (VP9), .gif.
+/// A movie that is cut short, even by kill -9, still plays.
+std::unique_ptr<ImageSink> movie(const std::filesystem::path& file);
+
+/// Draws each frame once and hands the picture to all takers. With range "run" frames are kept and drawn in end().
+std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers);
+
+/// folder/vtu/name_000123.vtu, folder/name.pvd and folder/name.vtu.series, both valid after every frame.
+std::unique_ptr<Sink> vtu_series(const std::filesystem::path& folder);
+
+/// Figure 1 of the paper: the kernels over r/r_e.
+struct Curve {
+  std::string name;
+  std::vector<double> x, y;
+};
+Image draw_curves(const std::vector<Curve>& curves, const std::string& title, const std::string& x_label,
+                  const std::string& y_label, int width, int height);
+
+/// Throws std::runtime_error when the file can't be written. `text` are tEXt/iTXt chunks: keyword, text.
+void write_png(const std::filesystem::path& file, const Image& image,
+               const std::vector<std::pair<std::string, std::string>>& text);
+
+}  // namespace seiche::render

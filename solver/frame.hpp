@@ -1,0 +1,81 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+// The seam between the solver and everything that shows or stores its results. No VTK here, nothing of the solver.
+namespace seiche {
+
+enum class Kind : std::uint8_t { fluid = 0, wall = 1, dummy = 2 };
+
+using Float3 = std::array<float, 3>;
+using Double3 = std::array<double, 3>;
+
+/// Where the tank's frame stands in the lab: lab position = displacement + position in the tank's frame.
+struct TankPose {
+  Double3 displacement{};  ///< [m]
+  Double3 velocity{};      ///< [m/s]
+};
+
+/// Sensor readings taken since the frame before, at the sensors' own sample times.
+struct Readings {
+  std::vector<double> time;    ///< [s], one entry per row
+  std::vector<double> values;  ///< row by row, one entry per column of RunInfo::sensors
+};
+
+/// One instant of a run. Particle arrays are in id order and of equal length.
+/// Axes: x along the tank from its left wall, y up from its floor, z across from its near wall (0 in 2-D).
+struct Frame {
+  long index = 0;  ///< frame number: time = index * RunInfo::frame_interval, but for a last frame cut short
+  long step = 0;   ///< solver steps taken so far
+  double time = 0;                    ///< [s]
+  TankPose pose;
+  std::vector<Float3> position;       ///< in the tank's frame [m]
+  std::vector<Float3> velocity;       ///< relative to the tank [m/s]
+  std::vector<float> pressure;        ///< gauge [Pa]
+  std::vector<float> number_density;  ///< n_i / n0 of equation (3) [-]
+  std::vector<Kind> kind;
+  std::vector<std::uint8_t> free_surface;  ///< 1 where equation (11) holds
+  std::vector<std::uint32_t> id;
+  Readings readings;
+
+  std::size_t size() const { return position.size(); }
+};
+
+using FramePtr = std::shared_ptr<const Frame>;
+
+/// What every frame of a run has in common; known before the first step.
+struct RunInfo {
+  std::string name;     ///< the scene's, as in "pan2008"
+  std::string version;  ///< the program's, as in "0.1.0"
+  std::string scene_hash;
+  std::string parameters;  ///< every scene key with its value, as TOML text
+  std::string kernel;      ///< as in "KF3"
+  std::string preset;
+  int dimension = 2;
+  Double3 tank{};  ///< inner length, height, width [m]; width 0 in 2-D
+  bool closed = true;
+  double depth = 0;           ///< of the still liquid [m]
+  double density = 0;         ///< [kg/m^3]
+  double gravity = 0;         ///< [m/s^2]
+  double spacing = 0;         ///< l0 [m]
+  Double3 sway{};             ///< greatest displacement of the tank on each axis [m], so that a picture can leave room
+  double frame_interval = 0;  ///< [s]
+  double end = 0;             ///< [s]
+  std::vector<std::string> sensors;  ///< column names with units, as in "p_left_bottom [Pa]"
+};
+
+/// Something that takes the frames of a run, in order: a picture series, a movie, a set of files.
+/// A run is a loop that steps the solver and hands frames to sinks; a replay hands stored frames to the same sinks.
+/// Any call may throw std::runtime_error with one sentence fit for the user.
+class Sink {
+ public:
+  virtual ~Sink() = default;
+  virtual void begin(const RunInfo& run) = 0;
+  virtual void frame(const FramePtr& frame) = 0;
+  virtual void end() = 0;  ///< after the last frame, also when the run failed or was interrupted
+};
+
+}  // namespace seiche
