@@ -1,0 +1,35 @@
+#pragma once
+
+namespace seiche::render {
+
+/// A box in pixels of the picture, from its bottom left corner.
+struct Box {
+  double x = 0, y = 0, width = 0, height = 0;
+  double right() const { return x + width; }
+  double top() const { return y + height; }
+};
+
+/// What has to find its place. Widths of texts are in font heights; 0 leaves the item out.
+struct Needs {
+  int width = 0, height = 0;                    ///< of the picture [pixels]
+  double view_width = 0, view_height = 0;       ///< of what the camera must show [m]
+  double caption = 0, clock = 0, key = 0;
+  double ruler = 0, ruler_label = 0;            ///< the ruler's length [m]
+  double bar_labels = 0, bar_title = 0;
+};
+
+/// Where everything goes. The rows lie close around the tank, so that the picture reads as one figure.
+struct Layout {
+  double font = 0;   ///< height of the text [pixels]
+  double line = 0;   ///< width of a thin line [pixels]
+  double scale = 0;  ///< [pixels/m]
+  Box view;          ///< what the camera must show
+  Box caption, clock, ruler, key;
+  Box bar;           ///< the colours alone, without the triangles at the ends
+  bool bar_upright = true;
+};
+
+/// Tries the scalar bar beside the tank and below it, and takes what shows the tank larger.
+Layout lay_out(const Needs& needs);
+
+}  // namespace seiche::render

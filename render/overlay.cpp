@@ -1,0 +1,101 @@
+#include "render/overlay.hpp"
+
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace seiche::render {
+namespace {
+
+constexpr int dpi = 72;  // a font of size s is then s pixels high
+
+}  // namespace
+
+Overlay::Overlay(vtkRenderer* renderer, int sharpness)
+    : renderer_(renderer),
+      sharpness_(sharpness),
+      points_(vtkSmartPointer<vtkPoints>::New()),
+      cells_(vtkSmartPointer<vtkCellArray>::New()),
+      colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()) {
+  colours_->SetNumberOfComponents(3);
+  vtkNew<vtkPolyData> shapes;
+  shapes->SetPoints(points_);
+  shapes->SetPolys(cells_);
+  shapes->GetCellData()->SetScalars(colours_);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(shapes);
+  vtkNew<vtkActor2D> actor;
+  actor->SetMapper(mapper);
+  renderer_->AddActor2D(actor);
+}
+
+void Overlay::polygon(const std::vector<std::array<double, 2>>& corners, Rgb colour) {
+  cells_->InsertNextCell(static_cast<int>(corners.size()));
+  for (const auto& [x, y] : corners)
+    cells_->InsertCellPoint(points_->InsertNextPoint(sharpness_ * x, sharpness_ * y, 0));
+  colours_->InsertNextTypedTuple(colour.data());
+}
+
+void Overlay::box(const Box& box, Rgb colour) {
+  polygon({{box.x, box.y}, {box.right(), box.y}, {box.right(), box.top()}, {box.x, box.top()}}, colour);
+}
+
+void Overlay::ring(double x, double y, double inner, double outer, Rgb colour) {
+  constexpr int parts = 48;
+  const auto at = [&](double radius, int part) -> std::array<double, 2> {
+    const double angle = 2 * std::numbers::pi * part / parts;
+    return {x + radius * std::cos(angle), y + radius * std::sin(angle)};
+  };
+  for (int part = 0; part < parts; ++part)
+    polygon({at(inner, part), at(outer, part), at(outer, part + 1), at(inner, part + 1)}, colour);
+}
+
+void Overlay::clear() {
+  for (const auto& text : texts_) renderer_->RemoveActor2D(text);
+  texts_.clear();
+  points_->Reset();
+  cells_->Reset();
+  colours_->Reset();
+}
+
+vtkTextActor* Overlay::text(const std::string& words, double x, double y, double font, Align align, Rgb colour) {
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(words.c_str());
+  actor->SetTextScaleModeToNone();
+  actor->SetPosition(std::round(sharpness_ * x), std::round(sharpness_ * y));
+  vtkTextProperty* style = actor->GetTextProperty();
+  style->SetFontFamilyToArial();
+  style->SetFontSize(static_cast<int>(std::lround(sharpness_ * font)));
+  style->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
+  style->SetVerticalJustificationToCentered();
+  if (align == Align::left) style->SetJustificationToLeft();
+  if (align == Align::centre) style->SetJustificationToCentered();
+  if (align == Align::right) style->SetJustificationToRight();
+  renderer_->AddActor2D(actor);
+  texts_.emplace_back(actor);
+  return actor;
+}
+
+double text_width(const std::string& words) {
+  constexpr int font = 100;
+  vtkNew<vtkTextProperty> style;
+  style->SetFontFamilyToArial();
+  style->SetFontSize(font);
+  int box[4] = {};
+  if (!vtkTextRenderer::GetInstance()->GetBoundingBox(style, words, box, dpi)) return 0;
+  return static_cast<double>(box[1] - box[0] + 1) / font;
+}
+
+}  // namespace seiche::render

@@ -1,0 +1,51 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "render/colour_map.hpp"
+#include "render/layout.hpp"
+
+class vtkCellArray;
+class vtkPoints;
+class vtkRenderer;
+class vtkTextActor;
+class vtkUnsignedCharArray;
+
+namespace seiche::render {
+
+enum class Align { left, centre, right };
+
+/// Flat shapes and texts laid over a renderer, placed in pixels of the picture.
+class Overlay {
+ public:
+  /// `sharpness`: pixels of the window for each pixel of the picture.
+  Overlay(vtkRenderer* renderer, int sharpness);
+
+  /// A convex polygon.
+  void polygon(const std::vector<std::array<double, 2>>& corners, Rgb colour);
+  void box(const Box& box, Rgb colour);
+  /// A circle with a hole; no hole when `inner` is 0.
+  void ring(double x, double y, double inner, double outer, Rgb colour);
+
+  /// Takes everything away again.
+  void clear();
+
+  /// A line of text, its middle at height y. The actor's text may change later.
+  vtkTextActor* text(const std::string& words, double x, double y, double font, Align align, Rgb colour);
+
+ private:
+  vtkRenderer* renderer_;
+  double sharpness_;
+  vtkSmartPointer<vtkPoints> points_;
+  vtkSmartPointer<vtkCellArray> cells_;
+  vtkSmartPointer<vtkUnsignedCharArray> colours_;
+  std::vector<vtkSmartPointer<vtkTextActor>> texts_;
+};
+
+/// Width of a line of text in font heights.
+double text_width(const std::string& words);
+
+}  // namespace seiche::render

@@ -1,0 +1,29 @@
+#pragma once
+#include <memory>
+
+#include "render/image.hpp"
+#include "render/look.hpp"
+#include "solver/frame.hpp"
+
+namespace seiche::render {
+
+/// Draws frames of one run with one look. The first frame's walls settle the camera, which then never moves.
+class Painter {
+ public:
+  /// Throws NoGl, and std::invalid_argument when a member of `look` is wrong.
+  Painter(const RunInfo& run, const Look& look);
+  ~Painter();
+
+  Image draw(const Frame& frame, Range range);
+
+ private:
+  struct Stage;
+  RunInfo run_;
+  Look look_;
+  std::unique_ptr<Stage> stage_;
+};
+
+/// Throws std::invalid_argument with the first thing in `look` that can't be drawn.
+void check_look(const Look& look);
+
+}  // namespace seiche::render

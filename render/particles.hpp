@@ -1,0 +1,32 @@
+#pragma once
+#include <memory>
+
+#include "render/colour_map.hpp"
+#include "render/look.hpp"
+#include "solver/frame.hpp"
+
+class vtkRenderer;
+
+namespace seiche::render {
+
+/// The particles of a frame in a renderer. 2-D: flat discs; 3-D: spheres, where walls are left to the tank's outline.
+class Particles {
+ public:
+  /// `scale`: pixels of the window for each metre; `smallest`: the least radius of a free-surface mark [pixels].
+  Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double smallest);
+  ~Particles();
+
+  /// Takes over a frame's particles, moved by `shift` [m].
+  void show(const Frame& frame, Range range, const Double3& shift);
+
+  static constexpr Rgb surface_colour{255, 88, 24};
+  static constexpr Rgb wall_colour{128, 132, 138};
+  static constexpr Rgb dummy_colour{196, 199, 203};
+
+ private:
+  struct Layer;
+  ColourMap map_;
+  std::unique_ptr<Layer> fluid_, surface_, wall_, dummy_;  // null when not shown
+};
+
+}  // namespace seiche::render

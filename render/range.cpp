@@ -1,0 +1,91 @@
+#include "render/range.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace seiche::render {
+namespace {
+
+double power_of_ten_below(double x) { return std::pow(10.0, std::floor(std::log10(x) + 1e-9)); }
+
+// The smallest round step that cuts `width` into at most `most` parts.
+double round_step(double width, int most) {
+  const double least = width / most;
+  const double base = power_of_ten_below(least);
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * base >= least * (1 - 1e-9)) return factor * base;
+  return 10 * base;
+}
+
+constexpr int most_steps = 8;
+constexpr double slack = 1e-6;  // of a step: a tick on the range's end belongs to it in spite of rounding
+
+}  // namespace
+
+std::optional<Range> parse_range(const std::string& text) {
+  if (text == "scene" || text == "frame" || text == "run") return std::nullopt;
+  const auto wrong = [&] {
+    return std::invalid_argument(fmt::format("'{}' is no range; give scene, frame, run or \"min,max\" in Pa", text));
+  };
+  const auto comma = text.find(',');
+  if (comma == std::string::npos) throw wrong();
+  const auto number = [&](const std::string& part) {
+    std::size_t used = 0;
+    double value = 0;
+    try {
+      value = std::stod(part, &used);
+    } catch (const std::exception&) {
+      throw wrong();
+    }
+    if (part.find_first_not_of(" \t", used) != std::string::npos || !std::isfinite(value)) throw wrong();
+    return value;
+  };
+  const Range range{number(text.substr(0, comma)), number(text.substr(comma + 1))};
+  if (!(range.low < range.high)) throw wrong();
+  return range;
+}
+
+Ticks round_ticks(Range range, int most) {
+  Ticks ticks;
+  ticks.step = round_step(range.high - range.low, most);
+  const double first = std::ceil(range.low / ticks.step - slack), last = std::floor(range.high / ticks.step + slack);
+  for (double k = first; k <= last; ++k) ticks.values.push_back(k == 0 ? 0.0 : k * ticks.step);
+  return ticks;
+}
+
+std::string tick_label(double value, double step) {
+  const double size = std::max(std::abs(value), step);
+  if (size >= 1e6 || step < 1e-4) return fmt::format("{:.4g}", value);
+  return fmt::format("{:.{}f}", value, std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))));
+}
+
+Range rounded(Range range) {
+  if (!(range.high > range.low)) range.high = range.low + 1;
+  const double step = round_step(range.high - range.low, most_steps);
+  return {step * std::floor(range.low / step + slack), step * std::ceil(range.high / step - slack)};
+}
+
+Range scene_range(const RunInfo& run) { return rounded({0, 1.5 * run.density * std::abs(run.gravity) * run.depth}); }
+
+Range fluid_range(const Frame& frame) {
+  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    if (frame.kind[i] != Kind::fluid || !std::isfinite(frame.pressure[i])) continue;
+    range.low = std::min(range.low, static_cast<double>(frame.pressure[i]));
+    range.high = std::max(range.high, static_cast<double>(frame.pressure[i]));
+  }
+  return range.low <= range.high ? range : Range{0, 0};
+}
+
+double round_below(double length) {
+  const double base = power_of_ten_below(length);
+  for (const double factor : {5.0, 2.0})
+    if (factor * base <= length * (1 + 1e-9)) return factor * base;
+  return base;
+}
+
+}  // namespace seiche::render

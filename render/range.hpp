@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "render/look.hpp"
+#include "solver/frame.hpp"
+
+namespace seiche::render {
+
+/// Values 0, +-step, +-2 step .. within a range, with step = 1, 2 or 5 times a power of ten.
+struct Ticks {
+  std::vector<double> values;
+  double step = 1;
+};
+Ticks round_ticks(Range range, int most);
+
+/// The tick's number without needless digits, as in "500" or "0.25".
+std::string tick_label(double value, double step);
+
+/// The smallest range between two round ticks that holds `range`; one of no width becomes [low, low + 1] first.
+Range rounded(Range range);
+
+/// [0, 1.5 rho g H], rounded: known before the first step, and the same for all runs of one scene.
+Range scene_range(const RunInfo& run);
+
+/// Least and greatest pressure of the fluid particles; [0, 0] when there are none.
+Range fluid_range(const Frame& frame);
+
+/// 1, 2 or 5 times a power of ten, the greatest that isn't above `length`.
+double round_below(double length);
+
+}  // namespace seiche::render
