@@ -28,9 +28,9 @@ struct Readings {
 /// One instant of a run. Particle arrays are in id order and of equal length.
 /// Axes: x along the tank from its left wall, y up from its floor, z across from its near wall (0 in 2-D).
 struct Frame {
-  long index = 0;  ///< frame number: time = index * RunInfo::frame_interval, but for a last frame cut short
-  long step = 0;   ///< solver steps taken so far
-  double time = 0;                    ///< [s]
+  long index = 0;   ///< frame number: time = index * RunInfo::frame_interval, but for a last frame cut short
+  long step = 0;    ///< solver steps taken so far
+  double time = 0;  ///< [s]
   TankPose pose;
   std::vector<Float3> position;       ///< in the tank's frame [m]
   std::vector<Float3> velocity;       ///< relative to the tank [m/s]

@@ -24,10 +24,11 @@ struct Parameters {
   } tank;
 
   struct Motion {
-    std::string type = "none";         ///< none | surge: x(t) = amplitude sin(2 pi frequency t)
-    double amplitude = 0;              ///< [m]
-    double frequency = 0;              ///< [Hz]
-    std::string start = "impulsive";   ///< impulsive: water at rest in the lab | smooth: water moves with the tank at t = 0
+    std::string type = "none";  ///< none | surge: x(t) = amplitude sin(2 pi frequency t)
+    double amplitude = 0;       ///< [m]
+    double frequency = 0;       ///< [Hz]
+    std::string start =
+        "impulsive";  ///< impulsive: water at rest in the lab | smooth: water moves with the tank at t = 0
   } motion;
 
   struct Particles {
@@ -36,19 +37,20 @@ struct Parameters {
 
   /// Each choice goes by name. Radii are in units of l0.
   struct Method {
-    std::string kernel = "KF3";              ///< KF1 .. KF5, Table 1
-    double kf2_alpha = 3.0;                  ///< alpha of KF2
-    double radius_density = 2.6;             ///< r_e of the number density and the divergence
-    double radius_gradient = 2.6;            ///< r_e of the gradient
-    double radius_laplacian = 2.6;           ///< r_e of the Laplacian
-    double surface_beta = 0.97;              ///< beta of equation (11)
-    std::string order = "project-first";     ///< project-first | move-first (the paper's)
-    std::string source = "mixed";            ///< mixed | density (equation 10)
-    std::string gradient = "corrected";      ///< corrected | minimum | plain (equation 4)
+    std::string kernel = "KF3";                 ///< KF1 .. KF5, Table 1
+    double kf2_alpha = 3.0;                     ///< alpha of KF2
+    double radius_density = 2.6;                ///< r_e of the number density and the divergence
+    double radius_gradient = 2.6;               ///< r_e of the gradient
+    double radius_laplacian = 2.6;              ///< r_e of the Laplacian
+    double surface_beta = 0.97;                 ///< beta of equation (11)
+    std::string order = "project-first";        ///< project-first | move-first (the paper's)
+    std::string source = "mixed";               ///< mixed | density (equation 10)
+    std::string gradient = "corrected";         ///< corrected | minimum | plain (equation 4)
     std::string surface = "density-and-count";  ///< density-and-count | density (equation 11)
-    std::string separation = "collide";      ///< collide | part (the additional modification) | none
-    double separation_distance = 0.8;        ///< pairs nearer than this are separated [l0]
-    double shift = 0.05;                     ///< strength of particle shifting [-]; 0: none
+    std::string separation = "collide";         ///< collide | part (the additional modification) | none
+    double separation_distance = 0.8;           ///< pairs nearer than this are separated [l0]
+    double shift = 0.05;                        ///< strength of particle shifting [-]; 0: none
+    std::string wall = "free-slip";             ///< free-slip | no-slip: what walls do to the viscous term
   } method;
 
   struct Pressure {
@@ -58,8 +60,8 @@ struct Parameters {
   } pressure;
 
   struct Time {
-    double end = 10;           ///< [s]
-    double courant = 0.1;      ///< alpha of equation (18)
+    double end = 10;       ///< [s]
+    double courant = 0.1;  ///< alpha of equation (18)
   } time;
 
   int threads = 0;  ///< OpenMP threads; 0: one per core

@@ -24,18 +24,18 @@ struct BadParameters : std::invalid_argument {
 /// Running totals since the start.
 struct Statistics {
   long steps = 0;
-  long iterations = 0;          ///< of the pressure solver, all steps together
+  long iterations = 0;  ///< of the pressure solver, all steps together
   int last_iterations = 0;
-  double last_residual = 0;     ///< relative, of the last solve
+  double last_residual = 0;  ///< relative, of the last solve
   double worst_residual = 0;
-  long list_builds = 0;         ///< times the neighbour list was made anew
-  double shortest_step = 0;     ///< [s]
-  double longest_step = 0;      ///< [s]
-  long fluid_particles = 0;     ///< still in the run
+  long list_builds = 0;      ///< times the neighbour list was made anew
+  double shortest_step = 0;  ///< [s]
+  double longest_step = 0;   ///< [s]
+  long fluid_particles = 0;  ///< still in the run
   long wall_particles = 0;
   long dummy_particles = 0;
-  long leaked = 0;              ///< fluid particles that went through a wall, and were taken out
-  long spilled = 0;             ///< fluid particles that left an open tank over its rim, and were taken out
+  long leaked = 0;                        ///< fluid particles that went through a wall, and were taken out
+  long spilled = 0;                       ///< fluid particles that left an open tank over its rim, and were taken out
   std::map<std::string, double> seconds;  ///< wall-clock time by stage of a step
 };
 

@@ -1,0 +1,83 @@
+#pragma once
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "solver/neighbours.hpp"
+
+namespace seiche::solver {
+
+/// Equation (4) with its sign put right: grad f_i = (d/n0) sum_j (f_j - f_i) r_ij w/r_ij^2. First order only where the
+/// neighbours lie symmetrically.
+struct PlainGradient {};
+
+/// (d/n0) sum_j (f_j - f_min,i) r_ij w/r_ij^2, f_min,i the least value at i and its neighbours: every pair repels
+/// (Koshizuka, Nobe, Oka 1998).
+struct MinimumGradient {};
+
+/// C_i (1/n0) sum_j (f_j - f_i) r_ij w/r_ij^2 with C_i = ((1/n0) sum_j r_ij r_ij^T w/r_ij^2)^-1: exact on linear fields
+/// (Khayyer & Gotoh 2011), plus a repulsion share * (d/n0) (f_i - f_min,i) sum_j r_ij w/r_ij^2 that keeps particles
+/// apart and vanishes where they lie evenly.
+struct CorrectedGradient {
+  double share = 0.3;
+};
+
+/// Below this determinant of d M_i (1 on a full lattice, 1/4 at a flat free surface, 1/16 in a corner) the moment
+/// matrix is held to be singular, and d stands for C_i.
+inline constexpr double least_moment = 0.05;
+
+namespace detail {
+
+template <int D>
+struct GradientSums {
+  Vec<D> differences = Vec<D>::Zero();     ///< sum (f_j - f_i) r_ij w/r^2
+  Vec<D> directions = Vec<D>::Zero();      ///< sum r_ij w/r^2 over those that have a pressure
+  Vec<D> all_directions = Vec<D>::Zero();  ///< the same, dummies included
+  Eigen::Matrix<double, D, D> moment = Eigen::Matrix<double, D, D>::Zero();
+  double least = 0;  ///< f_min - f_i, at most 0
+};
+
+template <int D>
+Vec<D> combine(PlainGradient, const GradientSums<D>& s, double n0) {
+  return D / n0 * s.differences;
+}
+template <int D>
+Vec<D> combine(MinimumGradient, const GradientSums<D>& s, double n0) {
+  return D / n0 * (s.differences - s.least * s.directions);
+}
+template <int D>
+Vec<D> combine(CorrectedGradient g, const GradientSums<D>& s, double n0) {
+  const Eigen::Matrix<double, D, D> m = D / n0 * s.moment;
+  const Vec<D> plain = D / n0 * s.differences;
+  const Vec<D> corrected = m.determinant() > least_moment ? Vec<D>(m.inverse() * plain) : plain;
+  return corrected - g.share * D / n0 * s.least * s.all_directions;
+}
+
+}  // namespace detail
+
+/// Gradient of a pressure at fluid particles [Pa/m]; zero elsewhere. Dummies have no pressure and don't take part.
+template <int D, class K, class Model>
+void pressure_gradient(Model model, const K& w, double n0, const Neighbours<D>& list, const State<D>& s, Vecs<D>& out) {
+  const int size = static_cast<int>(s.size());
+#pragma omp parallel for schedule(static)
+  for (int i = 0; i < size; ++i) {
+    out[i].setZero();
+    if (s.kind[i] != Kind::fluid) continue;
+    detail::GradientSums<D> sums;
+    for (int j : list[i]) {
+      const Vec<D> rij = s.position[j] - s.position[i];
+      const double r2 = rij.squaredNorm();
+      if (!(r2 < w.support * w.support)) continue;
+      const Vec<D> v = w(std::sqrt(r2)) / r2 * rij;
+      sums.all_directions += v;
+      if (s.kind[j] == Kind::dummy) continue;
+      const double df = s.pressure[j] - s.pressure[i];
+      sums.least = std::min(sums.least, df);
+      sums.differences += df * v;
+      sums.directions += v;
+      sums.moment += v * rij.transpose();
+    }
+    out[i] = detail::combine(model, sums, n0);
+  }
+}
+
+}  // namespace seiche::solver

@@ -1,0 +1,105 @@
+#pragma once
+#include <omp.h>
+
+#include "solver/density.hpp"
+#include "solver/divergence.hpp"
+#include "solver/gradient.hpp"
+#include "solver/kernels.hpp"
+#include "solver/laplacian.hpp"
+#include "solver/pressure_solver.hpp"
+#include "solver/sensors.hpp"
+#include "solver/separation.hpp"
+#include "solver/snapshot.hpp"
+#include "solver/source.hpp"
+#include "solver/watch.hpp"
+
+namespace seiche::solver {
+
+/// A kernel with one support, and its constants on the initial lattice.
+template <int D, class K>
+struct Range {
+  K w;
+  Reference ref;
+  Range(K kernel, double radius, double l0) : w(kernel) {
+    w.support = radius * l0;
+    ref = lattice_reference<D>(w, l0);
+  }
+};
+
+/// Adds the time that it lives to a stage's total.
+class Stage {
+ public:
+  explicit Stage(double& total) : total_(total), start_(omp_get_wtime()) {}
+  ~Stage() { total_ += omp_get_wtime() - start_; }
+
+ private:
+  double& total_;
+  double start_;
+};
+
+/// The moving-particle semi-implicit method (Pan, Zhang, Lu 2008) in D dimensions with kernel K.
+template <int D, class K>
+class Mps final : public Simulation {
+ public:
+  Mps(const Parameters& p, K kernel, double sample_interval);
+
+  void step(double until) override;
+  double time() const override { return s_.time; }
+  const Statistics& statistics() const override { return totals_; }
+  FramePtr frame(long index) override;
+
+ private:
+  void step_move_first(double dt);
+  void step_project_first(double dt);
+  void predict(double dt);
+  void refresh_neighbours();
+  void find_surface();
+  void solve_pressure(double dt);
+  void solve_system();
+  void correct_velocity(double dt);
+  void separate();
+  void take_out_lost();
+  void project_start();
+
+  /// Calls f(i) for every fluid particle.
+  template <class F>
+  void each_fluid(F f) {
+    const int size = static_cast<int>(s_.size());
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < size; ++i)
+      if (s_.kind[i] == Kind::fluid) f(i);
+  }
+  template <class F>
+  void move_fluid(F by) {
+    each_fluid([&](int i) { s_.position[i] += by(i); });
+  }
+
+  Parameters p_;
+  Motion motion_;
+  Box<D> box_;
+  double l0_;
+  Range<D, K> density_range_, gradient_range_, laplacian_range_;
+  State<D> s_;
+  Neighbours<D> list_;
+  PressureSystem<D> system_;
+  std::unique_ptr<PressureSolver> solver_;
+  Sensors<D> sensors_;
+  Watch<D> watch_;
+  Statistics totals_;
+  long fluid_at_start_ = 0;
+  double fastest_ = 0;
+
+  // Buffers kept between steps: number density, its count, divergence, vectors, the old velocity, nearness to the
+  // surface.
+  Scalars n_, divergence_;
+  std::vector<int> count_;
+  Vecs<D> change_, old_velocity_;
+  std::vector<std::uint8_t> near_;
+  Eigen::VectorXd right_, solution_;
+};
+
+/// For mps_2d.cpp and mps_3d.cpp: the simulation with the kernel that the parameters name.
+template <int D>
+std::unique_ptr<Simulation> make_mps(const Parameters& p, double sample_interval);
+
+}  // namespace seiche::solver

@@ -1,0 +1,248 @@
+#pragma once
+#include "solver/mps.hpp"
+
+// The steps of Mps, apart from the class so that each dimension is compiled once, in its own file.
+namespace seiche::solver {
+
+template <int D, class K>
+Mps<D, K>::Mps(const Parameters& p, K kernel, double sample_interval)
+    : p_(p),
+      motion_(p.motion),
+      box_(p),
+      l0_(p.particles.spacing),
+      density_range_(kernel, p.method.radius_density, l0_),
+      gradient_range_(kernel, p.method.radius_gradient, l0_),
+      laplacian_range_(kernel, p.method.radius_laplacian, l0_),
+      s_(fill_tank<D>(p)),
+      // A skin of 0.3 l0 balances the cost of longer rows against that of making the list more often.
+      list_(Vec<D>::Constant(-wall_layers(p.method) * l0_), box_.size.array() + wall_layers(p.method) * l0_,
+            std::max({density_range_.w.support, gradient_range_.w.support, laplacian_range_.w.support}), 0.3 * l0_),
+      solver_(make_pressure_solver(p.pressure.solver, p.pressure.tolerance, p.pressure.max_iterations)),
+      sensors_(p, sample_interval),
+      watch_(p, motion_) {
+  for (Kind k : s_.kind)
+    ++(k == Kind::fluid ? totals_.fluid_particles : k == Kind::wall ? totals_.wall_particles : totals_.dummy_particles);
+  fluid_at_start_ = totals_.fluid_particles;
+  refresh_neighbours();
+  find_surface();
+  if (p.motion.start == "impulsive" && motion_.fastest() > 0) {
+    for (std::size_t i = 0; i < s_.size(); ++i)
+      if (s_.kind[i] == Kind::fluid) s_.velocity[i][0] = -motion_.velocity(0);
+    if (p.method.order == "project-first") project_start();
+  }
+  fastest_ = watch_.check_motion(s_);
+  sensors_.read(s_);
+}
+
+template <int D, class K>
+FramePtr Mps<D, K>::frame(long index) {
+  auto frame = snapshot(s_, n_, density_range_.ref.n0, motion_);
+  frame->index = index;
+  frame->readings = sensors_.take();
+  return frame;
+}
+
+template <int D, class K>
+void Mps<D, K>::step(double until) {
+  const double rule = step_rule(p_, fastest_);
+  watch_.check_step(s_, rule);
+  const double dt = split_evenly(until - s_.time, rule);
+  const bool last = s_.time + 1.5 * dt > until;
+  if (p_.method.order == "move-first")
+    step_move_first(dt);
+  else
+    step_project_first(dt);
+  s_.time = last ? until : s_.time + dt;
+  ++s_.step;
+  totals_.steps = s_.step;
+  totals_.shortest_step = s_.step == 1 ? dt : std::min(totals_.shortest_step, dt);
+  totals_.longest_step = std::max(totals_.longest_step, dt);
+  take_out_lost();
+  fastest_ = watch_.check_motion(s_);
+  watch_.check_leaks(s_, totals_, fluid_at_start_);
+  const Stage stage(totals_.seconds["sensors"]);
+  sensors_.read(s_);
+}
+
+/// The paper's order: predict and move (12-14), part close pairs, number density and pressure (3, 10), correct (15-17).
+template <int D, class K>
+void Mps<D, K>::step_move_first(double dt) {
+  predict(dt);
+  move_fluid([&](int i) { return Vec<D>(dt * s_.velocity[i]); });
+  refresh_neighbours();
+  separate();
+  refresh_neighbours();
+  find_surface();
+  solve_pressure(dt);
+  correct_velocity(dt);
+  move_fluid([&](int i) { return Vec<D>(dt * change_[i]); });
+}
+
+/// The stabilised order: predict (12, 13), project with the weights of the positions at the step's start, then move
+/// with the mean of the old and the new velocity (second order in dt), and keep particles apart.
+template <int D, class K>
+void Mps<D, K>::step_project_first(double dt) {
+  old_velocity_ = s_.velocity;
+  refresh_neighbours();
+  find_surface();
+  predict(dt);
+  solve_pressure(dt);
+  correct_velocity(dt);
+  move_fluid([&](int i) { return Vec<D>(0.5 * dt * (old_velocity_[i] + s_.velocity[i])); });
+  refresh_neighbours();
+  separate();
+}
+
+/// u* = u + dt (nu Laplacian(u) + f), equations (12) and (13); f is gravity less the tank's acceleration.
+template <int D, class K>
+void Mps<D, K>::predict(double dt) {
+  const Stage stage(totals_.seconds["explicit"]);
+  velocity_laplacian(laplacian_range_.w, laplacian_range_.ref, p_.method.wall == "free-slip", list_, s_, change_);
+  Vec<D> force = Vec<D>::Zero();
+  force[0] = -motion_.mean_acceleration(s_.time, dt);
+  force[1] = -p_.gravity;
+  each_fluid([&](int i) { s_.velocity[i] += dt * (p_.fluid.viscosity * change_[i] + force); });
+}
+
+template <int D, class K>
+void Mps<D, K>::refresh_neighbours() {
+  const Stage stage(totals_.seconds["search"]);
+  if (!list_.is_stale(s_)) return;
+  list_.build(s_);
+  ++totals_.list_builds;
+  for (Scalars* values : {&n_, &divergence_}) values->resize(s_.size());
+  count_.resize(s_.size());
+  near_.resize(s_.size());
+  change_.resize(s_.size());
+}
+
+/// Number density (3) and free surface (11).
+template <int D, class K>
+void Mps<D, K>::find_surface() {
+  const Stage stage(totals_.seconds["density"]);
+  number_density(density_range_.w, list_, s_.position, n_, count_);
+  const double share = p_.method.surface == "density" ? 0 : count_share;
+  mark_free_surface(density_range_.ref, p_.method.surface_beta, share, n_, count_, s_.kind, s_.surface);
+  mark_near_surface(density_range_.w.support, list_, s_.position, s_.surface, near_);
+}
+
+/// Solves equation (10) for the pressure at the end of the step; negative pressures become 0.
+template <int D, class K>
+void Mps<D, K>::solve_pressure(double dt) {
+  const Source source(p_, dt);
+  {
+    const Stage stage(totals_.seconds["assembly"]);
+    const Reference& ref = laplacian_range_.ref;
+    const double scale = ref.lambda * ref.n0 / (2 * D);
+    if (source.mixed) velocity_divergence(density_range_.w, density_range_.ref.n0, list_, s_, divergence_);
+    system_.assemble(laplacian_range_.w, scale * source.compressibility + definite * ref.n0, list_, s_);
+    right_.resize(system_.rows());
+    solution_.resize(system_.rows());
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < system_.rows(); ++k) {
+      const int i = system_.particle(k);
+      const double excess = (n_[i] - density_range_.ref.n0) / density_range_.ref.n0;
+      right_[k] = scale * source(divergence_[i], excess, near_[i]);
+      solution_[k] = s_.pressure[i];
+    }
+  }
+  const Stage stage(totals_.seconds["solve"]);
+  solve_system();
+  const int size = static_cast<int>(s_.size());
+#pragma omp parallel for schedule(static)
+  for (int i = 0; i < size; ++i) s_.pressure[i] = system_.row(i) < 0 ? 0 : std::max(0.0, solution_[system_.row(i)]);
+}
+
+template <int D, class K>
+void Mps<D, K>::solve_system() {
+  if (system_.rows() == 0) return;
+  if (!right_.allFinite()) watch_.fail_not_finite(s_);
+  const SolveReport report = solver_->solve(system_.matrix(), right_, solution_);
+  totals_.iterations += report.iterations;
+  totals_.last_iterations = report.iterations;
+  totals_.last_residual = report.residual;
+  totals_.worst_residual = std::max(totals_.worst_residual, report.residual);
+  if (!report.converged)
+    throw RunFailure(
+        fmt::format("stopped at t = {:.4f} s, step {}: the pressure solver '{}' did not converge ({} iterations, "
+                    "relative residual {:.2g}, asked for {:.2g})",
+                    s_.time, s_.step, p_.pressure.solver, report.iterations, report.residual, p_.pressure.tolerance));
+}
+
+/// u = u* - dt/rho grad p, equations (15) and (16); leaves the change of velocity in `change_`.
+template <int D, class K>
+void Mps<D, K>::correct_velocity(double dt) {
+  const Stage stage(totals_.seconds["gradient"]);
+  const auto gradient = [&](auto model) {
+    pressure_gradient(model, gradient_range_.w, gradient_range_.ref.n0, list_, s_, change_);
+  };
+  if (p_.method.gradient == "corrected") gradient(CorrectedGradient{});
+  if (p_.method.gradient == "minimum") gradient(MinimumGradient{});
+  if (p_.method.gradient == "plain") gradient(PlainGradient{});
+  each_fluid([&](int i) {
+    change_[i] *= -dt / p_.fluid.density;
+    s_.velocity[i] += change_[i];
+  });
+}
+
+template <int D, class K>
+void Mps<D, K>::separate() {
+  const Stage stage(totals_.seconds["separate"]);
+  const double distance = p_.method.separation_distance * l0_;
+  if (p_.method.shift > 0)
+    shift_particles(density_range_.w, density_range_.ref.n0, p_.method.shift, l0_, list_, near_, s_, change_);
+  if (p_.method.separation == "part") part_close_pairs(distance, list_, s_, change_);
+  if (p_.method.separation == "collide") collide_close_pairs(distance, list_, s_, change_);
+}
+
+/// Removes fluid that went through a wall or over the rim, and counts it.
+template <int D, class K>
+void Mps<D, K>::take_out_lost() {
+  long leaked = 0, spilled = 0;
+  std::vector<int> kept;
+  const int size = static_cast<int>(s_.size());
+  for (int i = 0; i < size; ++i) {
+    if (s_.kind[i] != Kind::fluid) continue;
+    const bool over = box_.has_spilled(s_.position[i]);
+    spilled += over;
+    leaked += !over && box_.has_leaked(s_.position[i]);
+  }
+  if (leaked + spilled == 0) return;
+  for (int i = 0; i < size; ++i)
+    if (s_.kind[i] != Kind::fluid || !(box_.has_spilled(s_.position[i]) || box_.has_leaked(s_.position[i])))
+      kept.push_back(i);
+  s_.reorder(kept);
+  totals_.leaked += leaked;
+  totals_.spilled += spilled;
+  totals_.fluid_particles -= leaked + spilled;
+  s_.listed_position.clear();
+  refresh_neighbours();
+  find_surface();
+}
+
+/// Impulsive start: the jump of the tank's velocity is an impulse, which makes the flow divergence-free at once.
+/// Projects the velocity over one step's length and forgets the impulse's pressure, which no finite step could report.
+template <int D, class K>
+void Mps<D, K>::project_start() {
+  const Scalars still = s_.pressure;
+  std::fill(s_.pressure.begin(), s_.pressure.end(), 0);
+  const double dt = step_cap(p_);
+  solve_pressure(dt);
+  correct_velocity(dt);
+  s_.pressure = still;
+}
+
+/// The simulation whose kernel the parameters name. Throws BadParameters.
+template <int D>
+std::unique_ptr<Simulation> make_for_kernel(const Parameters& p, double sample_interval) {
+  for (const Kernel& kernel : kernel_table(1, p.method.kf2_alpha))
+    if (name(kernel) == p.method.kernel)
+      return std::visit(
+          [&](auto w) -> std::unique_ptr<Simulation> {
+            return std::make_unique<Mps<D, decltype(w)>>(p, w, sample_interval);
+          },
+          kernel);
+  throw BadParameters("method.kernel '" + p.method.kernel + "' is none of KF1 .. KF5");
+}
+
+}  // namespace seiche::solver

@@ -1,0 +1,87 @@
+#pragma once
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "solver/neighbours.hpp"
+
+namespace seiche::solver {
+
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+using SparseView = Eigen::Map<const SparseMatrix>;
+
+/// The pressure equation (10) as A p = b, A sparse, symmetric, positive definite. Both sides of equation (10) are
+/// multiplied by -lambda n0/(2d), so that row i reads  sum_j w_ij (p_i - p_j) + c p_i = b_i.
+/// Unknowns are fluid and wall particles not at the free surface; the known p = 0 of those at the surface has moved to
+/// the right-hand side (as 0), dummies are left out: no flow through the wall.
+template <int D>
+class PressureSystem {
+ public:
+  /// @param diagonal c >= 0, the same in every row
+  template <class K>
+  void assemble(const K& w, double diagonal, const Neighbours<D>& list, const State<D>& s) {
+    const int size = static_cast<int>(s.size());
+    row_.assign(size, -1);
+    particle_.clear();
+    for (int i = 0; i < size; ++i)
+      if (s.kind[i] != Kind::dummy && !s.surface[i] && !list[i].empty()) {
+        row_[i] = static_cast<int>(particle_.size());
+        particle_.push_back(i);
+      }
+    const int rows = static_cast<int>(particle_.size());
+    start_.assign(rows + 1, 0);
+    const double reach = w.support * w.support;
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < rows; ++k) {
+      const int i = particle_[k];
+      int count = 1;
+      for (int j : list[i]) count += row_[j] >= 0 && (s.position[j] - s.position[i]).squaredNorm() < reach;
+      start_[k + 1] = count;
+    }
+    for (int k = 0; k < rows; ++k) start_[k + 1] += start_[k];
+    column_.resize(start_[rows]);
+    value_.resize(start_[rows]);
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < rows; ++k) fill_row(w, diagonal, list, s, k);
+  }
+
+  int rows() const {
+    return static_cast<int>(particle_.size());
+  }
+  SparseView matrix() const {
+    return {rows(), rows(), static_cast<int>(value_.size()), start_.data(), column_.data(), value_.data()};
+  }
+  /// Particle of a row, and row of a particle (-1: its pressure is known).
+  int particle(int row) const {
+    return particle_[row];
+  }
+  int row(int particle) const {
+    return row_[particle];
+  }
+
+ private:
+  template <class K>
+  void fill_row(const K& w, double diagonal, const Neighbours<D>& list, const State<D>& s, int k) {
+    const int i = particle_[k];
+    int out = start_[k], place = -1;
+    double sum = diagonal;
+    for (int j : list[i]) {
+      if (s.kind[j] == Kind::dummy) continue;
+      if (place < 0 && j > i) place = out++;
+      const double r2 = (s.position[j] - s.position[i]).squaredNorm();
+      if (!(r2 < w.support * w.support)) continue;
+      const double weight = w(std::sqrt(r2));
+      sum += weight;
+      if (row_[j] < 0) continue;
+      column_[out] = row_[j];
+      value_[out++] = -weight;
+    }
+    if (place < 0) place = out;
+    column_[place] = k;
+    value_[place] = sum;
+  }
+
+  std::vector<int> row_, particle_, start_, column_;
+  Scalars value_;
+};
+
+}  // namespace seiche::solver

@@ -1,0 +1,91 @@
+#include "solver/simulation.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <cmath>
+
+#include "solver/motion.hpp"
+#include "solver/mps.hpp"
+
+namespace seiche {
+
+void apply_preset(Parameters& p, const std::string& preset) {
+  if (preset == "stabilised") {
+    p.method = {};
+    p.time.courant = Parameters::Time{}.courant;
+  } else if (preset == "paper") {
+    // The paper names no radius, no parting distance and no cap: r_e = 2.1 l0 and 3.1 l0 (Laplacian) are the usual ones
+    // of the method (Koshizuka & Oka 1996), half a spacing is what parts a pair without disturbing its neighbours.
+    auto& m = p.method;
+    m.kernel = "KF3";
+    m.kf2_alpha = 3.0;
+    m.radius_density = m.radius_gradient = 2.1;
+    m.radius_laplacian = 3.1;
+    m.surface_beta = 0.97;
+    m.order = "move-first";
+    m.source = "density";
+    m.gradient = "minimum";
+    m.surface = "density";
+    m.separation = "part";
+    m.separation_distance = 0.5;
+    m.shift = 0;
+    m.wall = "no-slip";
+    p.time.courant = 0.1;
+  } else {
+    throw BadParameters(fmt::format("preset '{}' is neither paper nor stabilised", preset));
+  }
+  p.preset = preset;
+}
+
+namespace {
+
+void check_whole(const char* key, double length, double l0) {
+  const double cells = length / l0;
+  const double below = std::floor(cells) * l0, above = std::ceil(cells) * l0;
+  if (std::abs(cells - std::round(cells)) > 1e-6 * cells)
+    throw BadParameters(fmt::format(
+        "{} = {:.6g} m is {:.3f} spacings of {:.6g} m; it must be a whole number of them, as {:.6g} or {:.6g} m are",
+        key, length, cells, l0, below, above));
+  if (std::lround(cells) < 4)
+    throw BadParameters(fmt::format(
+        "{} = {:.6g} m is {} spacings of {:.6g} m; a run needs 4 at least: take a smaller particles.spacing", key,
+        length, std::lround(cells), l0));
+}
+
+}  // namespace
+
+void check_parameters(const Parameters& p) {
+  const double l0 = p.particles.spacing;
+  check_whole("tank.length", p.tank.length, l0);
+  check_whole("tank.height", p.tank.height, l0);
+  if (p.tank.width > 0) check_whole("tank.width", p.tank.width, l0);
+  check_whole("fluid.depth", p.fluid.depth, l0);
+  if (p.fluid.column > 0) check_whole("fluid.column", p.fluid.column, l0);
+  if (p.fluid.depth > p.tank.height)
+    throw BadParameters(
+        fmt::format("fluid.depth = {:.6g} m is more than tank.height = {:.6g} m", p.fluid.depth, p.tank.height));
+  if (p.fluid.column > p.tank.length)
+    throw BadParameters(
+        fmt::format("fluid.column = {:.6g} m is more than tank.length = {:.6g} m", p.fluid.column, p.tank.length));
+  const double particles = p.tank.length * p.tank.height / (l0 * l0) * (p.tank.width > 0 ? p.tank.width / l0 : 1);
+  if (particles > 1e8)
+    throw BadParameters(
+        fmt::format("particles.spacing = {:.6g} m asks for some {:.2g} particles; the limit is 1e8", l0, particles));
+}
+
+Double3 motion_extent(const Parameters& p) {
+  return {p.motion.type == "surge" ? std::abs(p.motion.amplitude) : 0, 0, 0};
+}
+
+std::vector<std::string> sensor_columns(const Parameters&) {
+  return {"p_left_bottom [Pa]", "eta_left [m]", "eta_right [m]"};
+}
+
+std::unique_ptr<Simulation> make_simulation(const Parameters& p, double sample_interval) {
+  check_parameters(p);
+  omp_set_num_threads(p.threads > 0 ? p.threads : omp_get_num_procs());
+  return p.dimension() == 3 ? solver::make_mps<3>(p, sample_interval) : solver::make_mps<2>(p, sample_interval);
+}
+
+}  // namespace seiche

@@ -1,0 +1,32 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/parameters.hpp"
+
+namespace seiche::solver {
+
+/// Longest step that the rule allows at rest [s]: min(alpha l0/sqrt(g H), 0.2 l0^2/(d nu)). The paper has no cap; a
+/// still tank needs one, and sqrt(g H) is the fastest wave on a depth H. The second is the stability limit of the
+/// explicit viscous term with a margin (Morris, Fox, Zhu 1997).
+inline double step_cap(const Parameters& p) {
+  const double l0 = p.particles.spacing;
+  const double wave = std::sqrt(p.gravity * p.fluid.depth);
+  const double by_wave = wave > 0 ? p.time.courant * l0 / wave : std::numeric_limits<double>::infinity();
+  const double by_viscosity = p.fluid.viscosity > 0 ? 0.2 * l0 * l0 / (p.dimension() * p.fluid.viscosity) : by_wave;
+  return std::min(by_wave, by_viscosity);
+}
+
+/// Equation (18), dt = alpha l0/v_max, with the cap above [s].
+inline double step_rule(const Parameters& p, double fastest) {
+  const double cap = step_cap(p);
+  return fastest > 0 ? std::min(cap, p.time.courant * p.particles.spacing / fastest) : cap;
+}
+
+/// Splits what is left into equal steps no longer than the rule: the length of the next one [s].
+inline double split_evenly(double left, double longest) {
+  return left / std::max(1.0, std::ceil(left / longest - 1e-9));
+}
+
+}  // namespace seiche::solver
