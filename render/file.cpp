@@ -5,21 +5,42 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <stdexcept>
 
 namespace seiche::render {
+namespace {
 
-void write_file(const std::filesystem::path& file, std::string_view bytes) {
+std::runtime_error cannot_write(const std::filesystem::path& file, const std::string& why) {
+  return std::runtime_error(fmt::format("can't write {}: {}", file.string(), why));
+}
+
+// Ends as the file does: some writers go by the ending.
+std::filesystem::path partial(const std::filesystem::path& file) {
+  return file.parent_path() / fmt::format(".part-{}", file.filename().string());
+}
+
+}  // namespace
+
+std::filesystem::path partial_name(const std::filesystem::path& file) {
   std::error_code error;
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
-  auto partial = file;
-  partial += ".part";
+  if (error) throw cannot_write(file, error.message());
+  return partial(file);
+}
+
+void publish(const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::rename(partial(file), file, error);
+  if (error) throw cannot_write(file, error.message());
+}
+
+void write_file(const std::filesystem::path& file, std::string_view bytes) {
   errno = 0;
-  std::ofstream out(partial, std::ios::binary);
+  std::ofstream out(partial_name(file), std::ios::binary);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
-  if (!out) throw std::runtime_error(fmt::format("can't write {}: {}", file.string(), std::strerror(errno)));
-  std::filesystem::rename(partial, file, error);
-  if (error) throw std::runtime_error(fmt::format("can't write {}: {}", file.string(), error.message()));
+  if (!out) throw cannot_write(file, std::strerror(errno));
+  publish(file);
 }
 
 }  // namespace seiche::render

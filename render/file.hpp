@@ -2,10 +2,16 @@
 #include <filesystem>
 #include <string_view>
 
+// Files are written under another name in the same folder and renamed when they are whole, so that no reader, and nobody
+// after a killed run, ever meets half a file. All functions throw std::runtime_error.
 namespace seiche::render {
 
-/// Writes to a temporary name in the same folder and renames, so that no reader ever meets half a file. Makes the folder.
-/// Throws std::runtime_error.
+/// The name to write `file` under. Makes its folder.
+std::filesystem::path partial_name(const std::filesystem::path& file);
+
+/// Gives what was written under partial_name(file) its name.
+void publish(const std::filesystem::path& file);
+
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace seiche::render

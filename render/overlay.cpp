@@ -16,16 +16,23 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/pixels.hpp"
+
 namespace seiche::render {
 namespace {
 
 constexpr int dpi = 72;  // a font of size s is then s pixels high
 
+// VTK's own "Arial" is whatever font the machine has in its stead: pictures name theirs.
+void set_font(vtkTextProperty* style) {
+  style->SetFontFamily(VTK_FONT_FILE);
+  style->SetFontFile(SEICHE_FONT);
+}
+
 }  // namespace
 
-Overlay::Overlay(vtkRenderer* renderer, int sharpness)
+Overlay::Overlay(vtkRenderer* renderer)
     : renderer_(renderer),
-      sharpness_(sharpness),
       points_(vtkSmartPointer<vtkPoints>::New()),
       cells_(vtkSmartPointer<vtkCellArray>::New()),
       colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()) {
@@ -44,7 +51,7 @@ Overlay::Overlay(vtkRenderer* renderer, int sharpness)
 void Overlay::polygon(const std::vector<std::array<double, 2>>& corners, Rgb colour) {
   cells_->InsertNextCell(static_cast<int>(corners.size()));
   for (const auto& [x, y] : corners)
-    cells_->InsertCellPoint(points_->InsertNextPoint(sharpness_ * x, sharpness_ * y, 0));
+    cells_->InsertCellPoint(points_->InsertNextPoint(sharpness * x, sharpness * y, 0));
   colours_->InsertNextTypedTuple(colour.data());
 }
 
@@ -74,10 +81,10 @@ vtkTextActor* Overlay::text(const std::string& words, double x, double y, double
   vtkNew<vtkTextActor> actor;
   actor->SetInput(words.c_str());
   actor->SetTextScaleModeToNone();
-  actor->SetPosition(std::round(sharpness_ * x), std::round(sharpness_ * y));
+  actor->SetPosition(std::round(sharpness * x), std::round(sharpness * y));
   vtkTextProperty* style = actor->GetTextProperty();
-  style->SetFontFamilyToArial();
-  style->SetFontSize(static_cast<int>(std::lround(sharpness_ * font)));
+  set_font(style);
+  style->SetFontSize(static_cast<int>(std::lround(sharpness * font)));
   style->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
   style->SetVerticalJustificationToCentered();
   if (align == Align::left) style->SetJustificationToLeft();
@@ -91,7 +98,7 @@ vtkTextActor* Overlay::text(const std::string& words, double x, double y, double
 double text_width(const std::string& words) {
   constexpr int font = 100;
   vtkNew<vtkTextProperty> style;
-  style->SetFontFamilyToArial();
+  set_font(style);
   style->SetFontSize(font);
   int box[4] = {};
   if (!vtkTextRenderer::GetInstance()->GetBoundingBox(style, words, box, dpi)) return 0;

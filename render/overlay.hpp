@@ -21,8 +21,7 @@ enum class Align { left, centre, right };
 /// Flat shapes and texts laid over a renderer, placed in pixels of the picture.
 class Overlay {
  public:
-  /// `sharpness`: pixels of the window for each pixel of the picture.
-  Overlay(vtkRenderer* renderer, int sharpness);
+  explicit Overlay(vtkRenderer* renderer);
 
   /// A convex polygon.
   void polygon(const std::vector<std::array<double, 2>>& corners, Rgb colour);
@@ -38,7 +37,6 @@ class Overlay {
 
  private:
   vtkRenderer* renderer_;
-  double sharpness_;
   vtkSmartPointer<vtkPoints> points_;
   vtkSmartPointer<vtkCellArray> cells_;
   vtkSmartPointer<vtkUnsignedCharArray> colours_;

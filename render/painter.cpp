@@ -21,8 +21,6 @@
 namespace seiche::render {
 namespace {
 
-constexpr int sharpness = 2;  // the window has this many pixels, squared, for each pixel of the picture: smooth edges
-
 struct Palette {
   Rgb paper, ink, outline;
 };
@@ -80,6 +78,7 @@ struct Painter::Stage {
   std::optional<ScalarBar> bar;
   vtkSmartPointer<vtkActor> tank;
   vtkTextActor* clock = nullptr;  // owned by the overlay
+  PixelReader pixels;
 
   Stage(const RunInfo& run, const Look& look, const Frame& first);
   void key(const RunInfo& run, const Look& look, const Box& place, double font, Rgb ink);
@@ -113,19 +112,20 @@ Painter::Stage::Stage(const RunInfo& run, const Look& look, const Frame& first) 
   window->SetAlphaBitPlanes(1);
   window->AddRenderer(renderer);
   renderer->SetBackground(colours.paper[0] / 255.0, colours.paper[1] / 255.0, colours.paper[2] / 255.0);
+  renderer->SetBackgroundAlpha(1);
   if (look.background == "transparent") {
-    renderer->SetBackground(0, 0, 0);
+    renderer->SetBackground(0, 0, 0);  // with alpha 0, so that GL's blending leaves colours multiplied by their alpha
     renderer->SetBackgroundAlpha(0);
   }
   view.aim(renderer, layout, look.width, look.height);
 
   if (look.show_tank) {
-    tank = tank_outline(run, 1.5 * layout.line / layout.scale, colours.outline);
+    tank = tank_outline(run, layout.line / layout.scale, colours.outline);
     renderer->AddActor(tank);
   }
-  particles.emplace(renderer, run, look, sharpness * layout.scale, sharpness * 0.13 * layout.font);
-  overlay.emplace(renderer, sharpness);
-  if (look.show_bar) bar.emplace(renderer, sharpness, layout, ColourMap(look.colour_map), colours.ink);
+  particles.emplace(renderer, run, look, layout.scale, 0.08 * layout.font);
+  overlay.emplace(renderer);
+  if (look.show_bar) bar.emplace(renderer, layout, ColourMap(look.colour_map), colours.ink);
   const auto words = [&](const std::string& text, const Box& place, Align align) {
     const double x = align == Align::left ? place.x : place.right();
     return overlay->text(text, x, place.y + place.height / 2, layout.font, align, colours.ink);
@@ -163,11 +163,15 @@ Image Painter::draw(const Frame& frame, Range range) {
   if (!stage_) stage_ = std::make_unique<Stage>(run_, look_, frame);
   Double3 shift = look_.view == "lab" ? frame.pose.displacement : Double3{};
   stage_->particles->show(frame, range, shift);
-  if (stage_->tank) stage_->tank->SetPosition(shift.data());
+  if (stage_->tank) {
+    Double3 at = shift;
+    if (run_.dimension == 2) at[2] = 0.5 * Particles::layer_height(run_);  // over the liquid, under the marks
+    stage_->tank->SetPosition(at.data());
+  }
   if (stage_->bar) stage_->bar->show(range, fluid_range(frame));
   if (stage_->clock) stage_->clock->SetInput(clock_text(frame.time).c_str());
   stage_->window->Render();
-  return read_pixels(stage_->window, sharpness);
+  return stage_->pixels.read(stage_->window);
 }
 
 void check_look(const Look& look) {

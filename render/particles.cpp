@@ -62,29 +62,39 @@ struct Particles::Layer {
 
 namespace {
 
-// Discs with a darker rim, or rings, with `hole` and `rim` as parts of the radius and `soft` the width of its smooth edge.
-vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(double radius, double hole, double rim, double soft) {
+struct Disc {
+  double radius = 0;    // [m]; of a square, half its side
+  double hole = 0;      // of a ring, as part of the radius
+  double edge = 1;      // where the darker edge begins, as part of the radius
+  double shade = 0;     // how much darker it is
+  double layer = 0;     // discs of a greater layer cover those of a smaller one
+  bool square = false;
+};
+
+// Each disc is drawn as a flat cone: where two of one layer overlap they meet half-way, whichever is drawn first.
+vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(const Disc& disc) {
   auto mapper = vtkSmartPointer<vtkPointGaussianMapper>::New();
-  mapper->SetScaleFactor(radius);
-  mapper->SetTriangleScale(1);
+  mapper->SetScaleFactor(disc.radius);
+  mapper->SetTriangleScale(disc.square ? 1.5f : 1.0f);
   mapper->EmissiveOff();
   const std::string shader = fmt::format(
       "//VTK::Color::Impl\n"
-      "float r = length(offsetVCVSOutput.xy);\n"
+      "vec2 at = abs(offsetVCVSOutput.xy);\n"
+      "float r = {};\n"
       "if (r > 1.0 || r < {:.4f}) discard;\n"
-      "float dark = mix(1.0, 0.72, smoothstep({:.4f}, {:.4f}, r));\n"
-      "ambientColor *= dark; diffuseColor *= dark;\n",
-      hole, 1 - rim - soft, 1 - rim + 1e-3);
+      "gl_FragDepth = gl_FragCoord.z + 1e-3 * r;\n"
+      "float shade = 1.0 - {:.4f} * smoothstep({:.4f}, {:.4f}, r);\n"
+      "ambientColor *= shade; diffuseColor *= shade;\n",
+      disc.square ? "max(at.x, at.y)" : "length(at)", disc.hole, disc.shade, disc.edge, 0.5 * (1 + disc.edge));
   mapper->SetSplatShaderCode(shader.c_str());
   return mapper;
 }
 
 }  // namespace
 
-Particles::Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double smallest)
+Particles::Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke)
     : map_(look.colour_map) {
   const bool dots = look.style == "dot";
-  const double radius = (dots ? 0.28 : 0.5) * run.spacing;
   if (run.dimension == 3) {
     const auto spheres = [&](double size) {
       vtkNew<vtkOpenGLSphereMapper> mapper;
@@ -96,31 +106,35 @@ Particles::Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look
       layer->actor->GetProperty()->SetSpecularPower(20);
       return layer;
     };
-    fluid_ = spheres(radius);
+    fluid_ = spheres((dots ? 0.28 : 0.5) * run.spacing);
     return;
   }
-  const auto discs = [&](double size, double hole, double rim, double z) {
-    const double pixel = 1 / (size * scale);
-    auto layer = std::make_unique<Layer>(renderer, disc_mapper(size, hole, rim, 2 * pixel));
+  const auto discs = [&](const Disc& disc) {
+    auto layer = std::make_unique<Layer>(renderer, disc_mapper(disc));
     layer->actor->GetProperty()->LightingOff();
-    layer->actor->SetPosition(0, 0, z * run.spacing);
+    layer->actor->SetPosition(0, 0, disc.layer * layer_height(run));
     return layer;
   };
-  // A rim is drawn where a disc is large enough that it doesn't darken the whole of it.
-  const double pixels = radius * scale;
-  const double rim = dots ? 0 : std::clamp((pixels - 4) / 40, 0.0, 0.12);
-  const double filled = std::max(radius, 0.75 / scale);
+  // Large discs stand apart; small ones close up, lest the gaps of a lattice make moire. All are rimmed but the smallest,
+  // so that each particle can be seen.
+  const double pixels = run.spacing * scale;
+  const double closed = dots ? 0 : std::clamp((16 - pixels) / 6, 0.0, 1.0);
+  const double shade = dots ? 0 : 0.28 * std::clamp((pixels - 2) / 4, 0.0, 1.0);
+  const double half = run.spacing * (dots ? 0.28 : 0.5);
+  const double radius = half * (1 + 0.5 * closed);
   if (look.show_walls) {
-    dummy_ = discs(filled, 0, 0, -2);
-    wall_ = discs(filled, 0, 0, -1);
+    const bool square = closed > 0;
+    dummy_ = discs({.radius = half, .layer = -2, .square = square});
+    wall_ = discs({.radius = half, .layer = -1, .square = square});
   }
-  fluid_ = discs(filled, 0, rim, 0);
+  fluid_ = discs({.radius = radius, .edge = 0.8 / (1 + 0.5 * closed), .shade = shade});
   if (look.show_surface) {
-    const double size = std::max(1.08 * radius, smallest / scale);
-    const double stroke = std::clamp(smallest / (size * scale), 0.3, 1.0);
-    surface_ = discs(size, 1 - stroke, 0, 1);
+    const double size = std::max(0.5 * run.spacing, 1.4 * stroke / scale);
+    surface_ = discs({.radius = size, .hole = 1 - stroke / (size * scale), .layer = 1});
   }
 }
+
+double Particles::layer_height(const RunInfo& run) { return 0.02 * (run.tank[0] + run.tank[1]); }
 
 Particles::~Particles() = default;
 

@@ -12,12 +12,15 @@ namespace seiche::render {
 /// The particles of a frame in a renderer. 2-D: flat discs; 3-D: spheres, where walls are left to the tank's outline.
 class Particles {
  public:
-  /// `scale`: pixels of the window for each metre; `smallest`: the least radius of a free-surface mark [pixels].
-  Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double smallest);
+  /// `scale`: pixels for each metre; `stroke`: width of the free surface's marks [pixels].
+  Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke);
   ~Particles();
 
   /// Takes over a frame's particles, moved by `shift` [m].
   void show(const Frame& frame, Range range, const Double3& shift);
+
+  /// 2-D: what lies between walls, fluid and marks along z; far more than the relief of any of them [m].
+  static double layer_height(const RunInfo& run);
 
   static constexpr Rgb surface_colour{255, 88, 24};
   static constexpr Rgb wall_colour{128, 132, 138};

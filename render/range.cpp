@@ -12,16 +12,23 @@ namespace {
 
 double power_of_ten_below(double x) { return std::pow(10.0, std::floor(std::log10(x) + 1e-9)); }
 
-// The smallest round step that cuts `width` into at most `most` parts.
-double round_step(double width, int most) {
-  const double least = width / most;
+constexpr int most_steps = 8;
+
+// The smallest round step that cuts the range into at most eight parts; rather one, if there is, that meets both its ends.
+double round_step(Range range) {
+  const double least = (range.high - range.low) / most_steps;
   const double base = power_of_ten_below(least);
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * base >= least * (1 - 1e-9)) return factor * base;
-  return 10 * base;
+  const auto meets = [](double end, double step) { return std::abs(end / step - std::round(end / step)) < 1e-6; };
+  double smallest = 0;
+  for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0}) {
+    const double step = factor * base;
+    if (step < least * (1 - 1e-9) || 3 * step > (range.high - range.low) * (1 + 1e-9)) continue;
+    if (smallest == 0) smallest = step;
+    if (meets(range.low, step) && meets(range.high, step)) return step;
+  }
+  return smallest;
 }
 
-constexpr int most_steps = 8;
 constexpr double slack = 1e-6;  // of a step: a tick on the range's end belongs to it in spite of rounding
 
 }  // namespace
@@ -49,9 +56,9 @@ std::optional<Range> parse_range(const std::string& text) {
   return range;
 }
 
-Ticks round_ticks(Range range, int most) {
+Ticks round_ticks(Range range) {
   Ticks ticks;
-  ticks.step = round_step(range.high - range.low, most);
+  ticks.step = round_step(range);
   const double first = std::ceil(range.low / ticks.step - slack), last = std::floor(range.high / ticks.step + slack);
   for (double k = first; k <= last; ++k) ticks.values.push_back(k == 0 ? 0.0 : k * ticks.step);
   return ticks;
@@ -60,12 +67,14 @@ Ticks round_ticks(Range range, int most) {
 std::string tick_label(double value, double step) {
   const double size = std::max(std::abs(value), step);
   if (size >= 1e6 || step < 1e-4) return fmt::format("{:.4g}", value);
-  return fmt::format("{:.{}f}", value, std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))));
+  int decimals = 0;
+  for (double rest = step; std::abs(rest - std::round(rest)) > 1e-6 * rest; rest *= 10) ++decimals;
+  return fmt::format("{:.{}f}", value, decimals);
 }
 
 Range rounded(Range range) {
   if (!(range.high > range.low)) range.high = range.low + 1;
-  const double step = round_step(range.high - range.low, most_steps);
+  const double step = round_step(range);
   return {step * std::floor(range.low / step + slack), step * std::ceil(range.high / step - slack)};
 }
 

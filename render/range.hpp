@@ -7,12 +7,12 @@
 
 namespace seiche::render {
 
-/// Values 0, +-step, +-2 step .. within a range, with step = 1, 2 or 5 times a power of ten.
+/// At most nine values 0, +-step, +-2 step .. within a range, with step = 1, 2, 2.5 or 5 times a power of ten.
 struct Ticks {
   std::vector<double> values;
   double step = 1;
 };
-Ticks round_ticks(Range range, int most);
+Ticks round_ticks(Range range);
 
 /// The tick's number without needless digits, as in "500" or "0.25".
 std::string tick_label(double value, double step);

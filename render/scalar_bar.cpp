@@ -11,22 +11,20 @@ namespace {
 
 constexpr double label_font = 0.88;  // of the layout's font
 
-Ticks bar_ticks(Range range) { return round_ticks(range, 8); }
-
 // "max 3120" where the frame goes beyond the range by more than can be taken for rounding.
 std::string beyond(const char* what, double value, double excess, Range range) {
   if (excess <= 0.01 * (range.high - range.low)) return "";
-  return fmt::format("{} {}", what, tick_label(value, bar_ticks(range).step));
+  return fmt::format("{} {}", what, tick_label(value, round_ticks(range).step));
 }
 
 }  // namespace
 
-ScalarBar::ScalarBar(vtkRenderer* renderer, int sharpness, const Layout& layout, const ColourMap& map, Rgb ink)
-    : overlay_(renderer, sharpness), layout_(layout), map_(map), ink_(ink) {}
+ScalarBar::ScalarBar(vtkRenderer* renderer, const Layout& layout, const ColourMap& map, Rgb ink)
+    : overlay_(renderer), layout_(layout), map_(map), ink_(ink) {}
 
 double ScalarBar::label_width(Range range) {
   double width = 0;
-  const Ticks ticks = bar_ticks(range);
+  const Ticks ticks = round_ticks(range);
   for (const double value : ticks.values) width = std::max(width, text_width(tick_label(value, ticks.step)));
   return label_font * (width + text_width("max 0"));
 }
@@ -55,7 +53,7 @@ void ScalarBar::draw_ticks() {
   const auto words = [&](const std::string& text, std::array<double, 2> place, Align align) {
     return overlay_.text(text, place[0], place[1], label_font * f, align, ink_);
   };
-  const Ticks ticks = bar_ticks(*range_);
+  const Ticks ticks = round_ticks(*range_);
   for (const double value : ticks.values) {
     const double along = (value - range_->low) / (range_->high - range_->low);
     const auto [x, y] = at(along, side);

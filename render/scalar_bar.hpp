@@ -11,7 +11,7 @@ namespace seiche::render {
 /// values beyond it. How far a frame goes beyond is written beside them.
 class ScalarBar {
  public:
-  ScalarBar(vtkRenderer* renderer, int sharpness, const Layout& layout, const ColourMap& map, Rgb ink);
+  ScalarBar(vtkRenderer* renderer, const Layout& layout, const ColourMap& map, Rgb ink);
 
   /// `found`: least and greatest value of the frame.
   void show(Range range, Range found);

@@ -1,0 +1,43 @@
+#pragma once
+#include <sys/types.h>
+
+#include <cstdio>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace seiche::render {
+
+/// A program that is fed through its standard input. It runs in a session of its own, so that the terminal's Ctrl-C,
+/// meant for this program, doesn't end it with half of its work done.
+class Child {
+ public:
+  /// arguments[0] is looked for on PATH. Throws std::system_error when it can't be started.
+  explicit Child(const std::vector<std::string>& arguments);
+  ~Child();  ///< closes the input and waits
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// False when the child no longer reads: it has died. Never raises SIGPIPE.
+  bool write(std::span<const unsigned char> bytes);
+
+  /// Closes the input and waits. True when the child then ended with 0.
+  bool finish();
+
+  /// What it has printed, to stdout and to stderr; whole after finish().
+  std::string output() const;
+  std::string errors() const;
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  // Files without a name rather than pipes: nobody has to empty them while the child runs.
+  std::unique_ptr<std::FILE, Close> output_{std::tmpfile()}, errors_{std::tmpfile()};
+  pid_t process_ = -1;
+  int input_ = -1;
+  bool succeeded_ = false;
+};
+
+}  // namespace seiche::render

@@ -1,0 +1,69 @@
+#include <algorithm>
+#include <optional>
+
+#include "render/outputs.hpp"
+#include "render/painter.hpp"
+#include "render/range.hpp"
+
+namespace seiche::render {
+namespace {
+
+class Pictures : public Sink {
+ public:
+  Pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers) : look_(look), takers_(std::move(takers)) {
+    check_look(look_);
+  }
+
+  void begin(const RunInfo& run) override {
+    painter_.emplace(run, look_);
+    fixed_ = look_.range == "scene" ? scene_range(run) : parse_range(look_.range);
+    for (const auto& taker : takers_) taker->begin(run, look_.width, look_.height);
+  }
+
+  void frame(const FramePtr& frame) override {
+    if (look_.range == "run")
+      kept_.push_back(frame);
+    else
+      draw(*frame, fixed_ ? *fixed_ : rounded(fluid_range(*frame)));
+  }
+
+  void end() override {
+    draw_kept();
+    for (const auto& taker : takers_) taker->end();
+  }
+
+ private:
+  void draw(const Frame& frame, Range range) {
+    const Image image = painter_->draw(frame, range);
+    for (const auto& taker : takers_) taker->image(image, frame);
+  }
+
+  void draw_kept() {
+    if (kept_.empty()) return;
+    Range whole = fluid_range(*kept_.front());
+    for (const auto& frame : kept_) {
+      const Range range = fluid_range(*frame);
+      whole = {std::min(whole.low, range.low), std::max(whole.high, range.high)};
+    }
+    whole = rounded(whole);
+    for (auto& frame : kept_) {
+      draw(*frame, whole);
+      frame.reset();
+    }
+    kept_.clear();
+  }
+
+  Look look_;
+  std::vector<std::unique_ptr<ImageSink>> takers_;
+  std::optional<Painter> painter_;
+  std::optional<Range> fixed_;
+  std::vector<FramePtr> kept_;
+};
+
+}  // namespace
+
+std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers) {
+  return std::make_unique<Pictures>(look, std::move(takers));
+}
+
+}  // namespace seiche::render
