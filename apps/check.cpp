@@ -1,0 +1,33 @@
+#include "apps/check.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace seiche::apps {
+namespace {
+
+std::string motion_text(const Parameters::Motion& motion) {
+  if (motion.type == "none") return "tank at rest";
+  return fmt::format("{} of {:g} m at {:g} Hz, {} start", motion.type, motion.amplitude, motion.frequency,
+                     motion.start);
+}
+
+}  // namespace
+
+std::string check_text(const Scene& scene) {
+  const Parameters& p = scene.parameters;
+  const double l0 = p.particles.spacing, column = p.fluid.column > 0 ? p.fluid.column : p.tank.length;
+  const double layers = p.tank.width > 0 ? std::round(p.tank.width / l0) : 1;
+  const double particles = std::round(column / l0) * std::round(p.fluid.depth / l0) * layers;
+  const std::string width = p.tank.width > 0 ? fmt::format(" x {:g}", p.tank.width) : "";
+  return fmt::format(
+      "{}: a good scene\n"
+      "  tank    {:g} x {:g}{} m, {}, filled to {:g} m; {}\n"
+      "  method  {} preset, kernel {}, spacing {:g} m: {:.0f} fluid particles\n"
+      "  run     {:g} s at {:g} frames a second\n",
+      scene.file, p.tank.length, p.tank.height, width, p.tank.closed ? "closed" : "open", p.fluid.depth,
+      motion_text(p.motion), p.preset, p.method.kernel, l0, particles, p.time.end, scene.output.frame_rate);
+}
+
+}  // namespace seiche::apps

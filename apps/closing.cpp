@@ -1,0 +1,60 @@
+#include "apps/closing.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace seiche::apps {
+namespace {
+
+std::string ending_sentence(const Ending& ending) {
+  switch (ending.status) {
+    case Ending::Status::finished:
+      return fmt::format("Finished at t = {:g} s", ending.time);
+    case Ending::Status::interrupted:
+      return fmt::format("Interrupted at t = {:g} s", ending.time);
+    case Ending::Status::failed:
+      break;
+  }
+  return fmt::format("Failed at t = {:g} s: {}\nWhat was written until then is kept", ending.time, ending.reason);
+}
+
+std::string losses(const Statistics& s) {
+  std::string result;
+  if (s.leaked > 0)
+    result += fmt::format("  warning   {} fluid particles leaked through a wall and were taken out\n", s.leaked);
+  if (s.spilled > 0)
+    result += fmt::format("  note      {} fluid particles spilled over the rim and were taken out\n", s.spilled);
+  return result;
+}
+
+std::string places(const Scene& scene, const OutputFolder& folder) {
+  std::string result;
+  const auto place = [&](const char* what, const std::filesystem::path& path) {
+    if (std::filesystem::exists(path)) result += fmt::format("  {:<9} {}\n", what, path.string());
+  };
+  if (scene.output.movie != "none") place("movie", folder.movie(scene.output.movie));
+  if (scene.output.pictures) place("pictures", folder.frames() / "");
+  if (scene.output.vtu) place("ParaView", folder.pvd());
+  if (scene.output.probes) place("curves", folder.probes());
+  place("report", folder.report());
+  return result;
+}
+
+}  // namespace
+
+std::string closing_text(const Scene& scene, const OutputFolder& folder, const RunRecord& record) {
+  const Statistics& s = record.statistics;
+  const double iterations = s.steps > 0 ? static_cast<double>(s.iterations) / s.steps : 0;
+  return fmt::format("{}: {} frames, {} steps of {:.1f} pressure iterations on average, {} of wall time.\n{}{}",
+                     ending_sentence(*record.ending), record.ending->frames, s.steps, iterations,
+                     clock_text(record.seconds.at("total")), losses(s), places(scene, folder));
+}
+
+void print_closing(const Scene& scene, const OutputFolder& folder, const RunRecord& record, bool quiet) {
+  const bool bad = record.ending->status == Ending::Status::failed;
+  if (bad) fmt::print(stderr, "seiche: {}", closing_text(scene, folder, record));
+  if (!bad && !quiet) fmt::print("{}", closing_text(scene, folder, record));
+}
+
+}  // namespace seiche::apps

@@ -1,0 +1,154 @@
+#include "apps/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/check.hpp"
+#include "apps/exit_codes.hpp"
+#include "apps/help.hpp"
+#include "apps/info.hpp"
+#include "apps/kernels.hpp"
+#include "apps/nearest.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/run.hpp"
+#include "apps/run_info.hpp"
+#include "apps/scene_file.hpp"
+#include "render/outputs.hpp"
+
+namespace seiche::apps {
+namespace {
+
+// A flag that is short for a --set.
+void add_shorthand(CLI::App& verb, const std::string& flag, const std::string& key, std::vector<Override>& overrides,
+                   const std::string& type) {
+  verb.add_option_function<std::string>(
+          flag,
+          [&overrides, flag, key](const std::string& value) {
+            overrides.push_back({flag + " " + value, key, value});
+          },
+          "short for --set " + key + "=...")
+      ->type_name(type);
+}
+
+void add_run(CLI::App& app, RunRequest& request, int& code) {
+  CLI::App* verb = app.add_subcommand("run", "Simulate a scene and write its pictures, movie and data")
+                       ->group("Verbs")
+                       ->footer(help::run_footer);
+  verb->add_option("scene", request.scene, "scene file")->required()->type_name("SCENE");
+  verb->add_option("-o,--output", request.folder, "folder for everything written; out/<scene name> if left out")
+      ->type_name("DIR");
+  verb->add_option_function<std::vector<std::string>>(
+          "--set",
+          [&request](const std::vector<std::string>& all) {
+            for (const std::string& each : all) request.overrides.push_back(parse_set(each));
+          },
+          "set a key of the scene; can be given several times")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  add_shorthand(*verb, "--kernel", "method.kernel", request.overrides, "NAME");
+  add_shorthand(*verb, "--spacing", "particles.spacing", request.overrides, "METRES");
+  add_shorthand(*verb, "--end", "time.end", request.overrides, "SECONDS");
+  add_shorthand(*verb, "--range", "look.range", request.overrides, "RANGE");
+  verb->add_option("--threads", request.threads, "threads to compute with; one per core if left out")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  verb->add_flag("--dry-run", request.dry_run, "print every key with its value, unit and range, and write nothing");
+  verb->add_flag("--quiet", request.quiet, "print nothing but errors");
+  verb->add_flag("--overwrite", request.overwrite, "replace an earlier run in the folder; other files there stay");
+  verb->callback([&request, &code] { code = run(request); });
+}
+
+void add_check(CLI::App& app, std::string& scene) {
+  CLI::App* verb =
+      app.add_subcommand("check", "Look for mistakes in a scene")->group("Verbs")->footer(help::check_footer);
+  verb->add_option("scene", scene, "scene file")->required()->type_name("SCENE");
+  verb->callback([&scene] { fmt::print("{}", check_text(read_scene(scene, {}))); });
+}
+
+void add_info(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("info", "Show versions, the OpenGL renderer and ffmpeg's encoders")
+                       ->group("Verbs")
+                       ->footer(help::info_footer);
+  verb->callback([] { fmt::print("{}", info_text()); });
+}
+
+void add_kernels(CLI::App& app, std::string& picture) {
+  CLI::App* verb = app.add_subcommand("kernels", "Show the kernel functions as text, or draw them")
+                       ->group("Verbs")
+                       ->footer(help::kernels_footer);
+  verb->add_option("-o,--output", picture, "draw them into this file instead")->type_name("FILE.png");
+  verb->callback([&picture] {
+    if (picture.empty()) {
+      fmt::print("{}", kernels_text());
+    } else {
+      draw_kernels(picture);
+    }
+  });
+}
+
+// CLI11 says only that a verb is required where one is misspelt.
+std::string usage_message(const CLI::App* app, const CLI::Error& error) {
+  std::string what = error.what();
+  const std::vector<std::string> words = app->remaining();
+  if (app->get_subcommands().empty() && !words.empty() && !words.front().starts_with('-')) {
+    std::vector<std::string> verbs;
+    for (const CLI::App* verb : app->get_subcommands([](const CLI::App*) { return true; })) {
+      verbs.push_back(verb->get_name());
+    }
+    const auto guess = nearest(words.front(), verbs);
+    what =
+        fmt::format("there is no verb '{}'{}", words.front(), guess ? fmt::format("; did you mean '{}'?", *guess) : "");
+  }
+  return fmt::format("seiche: {}\nseiche --help and seiche VERB --help say more.\n", what);
+}
+
+int parse(int argc, char** argv) {
+  int code = done;
+  RunRequest request;
+  std::string checked, picture;
+  CLI::App app(help::program, "seiche");
+  app.get_formatter()->label("SUBCOMMAND", "VERB");
+  app.failure_message(usage_message);
+  app.footer(help::program_footer);
+  app.set_version_flag("--version", fmt::format("seiche {}", version()));
+  app.require_subcommand(1);
+  add_run(app, request, code);
+  add_check(app, checked);
+  add_info(app);
+  add_kernels(app, picture);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : bad_usage;
+  }
+  return code;
+}
+
+int complain(const std::exception& error, int code) {
+  fmt::print(stderr, "seiche: {}\n", error.what());
+  return code;
+}
+
+}  // namespace
+
+int command_line(int argc, char** argv) {
+  try {
+    return parse(argc, argv);
+  } catch (const BadScene& error) {
+    fmt::print(stderr, "{}\n", error.what());  // Begins with file:line:column, where editors look for it.
+    return bad_usage;
+  } catch (const BadFolder& error) {
+    return complain(error, bad_usage);
+  } catch (const std::invalid_argument& error) {
+    return complain(error, bad_usage);
+  } catch (const render::NoGl& error) {
+    return complain(error, no_gl);
+  } catch (const render::NoEncoder& error) {
+    return complain(error, no_encoder);
+  } catch (const std::exception& error) {
+    return complain(error, failed);
+  }
+}
+
+}  // namespace seiche::apps

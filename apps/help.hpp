@@ -1,0 +1,50 @@
+#pragma once
+
+// What --help says beside the list of verbs and flags.
+namespace seiche::apps::help {
+
+constexpr const char* program =
+    "Simulates liquid sloshing in a tank by the moving-particle semi-implicit method, and shows it:\n"
+    "pictures, a movie, files for ParaView and curves, from one scene file. Needs no display.";
+
+constexpr const char* program_footer = R"(Examples:
+  seiche run scenes/quick.toml            simulate and draw a small tank in seconds
+  seiche run scenes/quick.toml --dry-run  show every key of the scene, with its value, unit and range
+  seiche check scenes/quick.toml          look for mistakes, and say what would be simulated
+  seiche kernels -o kernels.png           draw the kernel functions
+
+A run of NAME.toml writes, under out/NAME/ or the folder of -o:
+  NAME.mp4              the movie
+  frames/000123.png     pictures
+  NAME.pvd, vtu/        all particles, for ParaView
+  probes.csv            sensor readings, with units in the header
+  run.json              parameters, steps, timings, how the run ended
+
+Exit codes:
+  0 done   1 the run failed   2 wrong usage or scene   4 no OpenGL   5 no encoder   130 interrupted
+
+Each verb has its own --help.)";
+
+constexpr const char* run_footer = R"(Examples:
+  seiche run scenes/quick.toml
+  seiche run scenes/quick.toml --kernel KF5 --spacing 0.01 -o out/finer
+  seiche run scenes/quick.toml --set motion.amplitude=0.02 --set output.movie=gif --overwrite
+  seiche run scenes/quick.toml --dry-run > mine.toml
+
+The preset comes first, then the file's keys, then --set and the other flags; of two the last one counts.
+The scene, the folder, OpenGL and the encoder are checked before anything is computed or written.
+Ctrl-C ends the run with the current frame and closes the movie; a second Ctrl-C ends it at once.)";
+
+constexpr const char* check_footer = R"(Examples:
+  seiche check scenes/quick.toml
+
+All mistakes are listed, each with its file, line and column. Exits with 0 if there is none, else with 2.)";
+
+constexpr const char* info_footer = R"(Examples:
+  seiche info)";
+
+constexpr const char* kernels_footer = R"(Examples:
+  seiche kernels
+  seiche kernels -o kernels.png)";
+
+}  // namespace seiche::apps::help

@@ -1,0 +1,46 @@
+#include "apps/info.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <omp.h>
+
+#include <Eigen/Core>
+
+#include "apps/run_info.hpp"
+#include "render/outputs.hpp"
+
+namespace seiche::apps {
+namespace {
+
+std::string gl() {
+  try {
+    return render::gl_description();
+  } catch (const render::NoGl& error) {
+    return error.what();
+  }
+}
+
+std::string ffmpeg() {
+  try {
+    const render::Ffmpeg found = render::find_ffmpeg();
+    return fmt::format("{}\n  encoders  {}", found.version, fmt::join(found.encoders, ", "));
+  } catch (const render::NoEncoder& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+std::string info_text() {
+  return fmt::format(
+      "seiche {}\n"
+      "  GL        {}\n"
+      "  VTK       {}\n"
+      "  ffmpeg    {}\n"
+      "  Eigen     {}.{}.{}\n"
+      "  threads   {}\n",
+      version(), gl(), render::vtk_version(), ffmpeg(), EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
+      omp_get_num_procs());
+}
+
+}  // namespace seiche::apps

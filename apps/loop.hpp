@@ -1,0 +1,29 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "apps/outputs.hpp"
+#include "apps/progress.hpp"
+#include "solver/simulation.hpp"
+
+namespace seiche::apps {
+
+/// How a run ended.
+struct Ending {
+  enum class Status { finished, failed, interrupted };
+  Status status = Status::finished;
+  std::string reason;  ///< of a failure
+  long frames = 0;     ///< handed to every sink
+  double time = 0;     ///< simulated [s]
+};
+
+/// As in "finished".
+std::string name(Ending::Status status);
+
+/// Steps the simulation from frame to frame and hands each to the outputs, the first at t = 0, the last at the end.
+/// Whatever happens, the outputs are ended and keep the frames that they have.
+/// @param stop asked after each step; once it is true the run ends with the current frame
+Ending run_loop(Simulation& simulation, Outputs& outputs, const RunInfo& run, Progress& progress,
+                const std::function<bool()>& stop);
+
+}  // namespace seiche::apps

@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <stdexcept>
+#include <tuple>
+
+#include "apps/options.hpp"
+#include "solver/kernels.hpp"
+
+namespace seiche::apps {
+namespace {
+
+constexpr double huge = 1000;  // Above any tank [m]; catches millimetres given as metres.
+
+Choices kernels() {
+  Choices names;
+  for (const auto& kernel : solver::kernel_table(1.0)) names.push_back(solver::name(kernel));
+  return names;
+}
+
+std::string get_size(const Scene& s) { return fmt::format("{}x{}", s.look.width, s.look.height); }
+
+void set_size(Scene& s, const std::string& text) {
+  int width = 0, height = 0;
+  const char* end = text.data() + text.size();
+  const auto [x, first] = std::from_chars(text.data(), end, width);
+  if (first != std::errc{} || x == end || *x != 'x') throw std::invalid_argument(text);
+  const auto [last, second] = std::from_chars(x + 1, end, height);
+  const auto fits = [](int pixels) { return pixels >= 64 && pixels <= 16384; };
+  if (second != std::errc{} || last != end || !fits(width) || !fits(height)) throw std::invalid_argument(text);
+  std::tie(s.look.width, s.look.height) = std::tuple(width, height);
+}
+
+std::string get_range(const Scene& s) { return s.look.range; }
+
+void set_range(Scene& s, const std::string& text) {
+  render::parse_range(text);
+  s.look.range = text;
+}
+
+const Written size{get_size, set_size, "width x height from 64x64 to 16384x16384, as in 1280x720"};
+const Written range{get_range, set_range, "scene, frame, run, or min,max as in -100,3000"};
+
+}  // namespace
+
+// clang-format off: one key a line reads as the table that it is
+#define AT(member) +[](Scene& s) -> decltype((s.member)) { return s.member; }
+const std::vector<Option>& options() {
+  static const std::vector<Option> table{
+      {"", "preset", "", AT(parameters.preset), Choices{"stabilised", "paper"},
+       "scheme that [method] starts from: the paper's, or one that keeps the pressure smooth"},
+      {"", "gravity", "m/s^2", AT(parameters.gravity), Range{0, 100, true}, "downwards"},
+
+      {"fluid", "density", "kg/m^3", AT(parameters.fluid.density), Range{0, 1e5, true}, "rho"},
+      {"fluid", "viscosity", "m^2/s", AT(parameters.fluid.viscosity), Range{0, 1}, "nu, kinematic"},
+      {"fluid", "depth", "m", AT(parameters.fluid.depth), Range{0, huge, true}, "still level above the floor"},
+      {"fluid", "column", "m", AT(parameters.fluid.column), Range{0, huge},
+       "length of the liquid from the left wall, for a dam break; 0: the whole tank"},
+
+      {"tank", "length", "m", AT(parameters.tank.length), Range{0, huge, true}, "inner, along x"},
+      {"tank", "height", "m", AT(parameters.tank.height), Range{0, huge, true}, "inner, along y"},
+      {"tank", "width", "m", AT(parameters.tank.width), Range{0, huge}, "inner, along z; 0: the run is 2-D"},
+      {"tank", "closed", "", AT(parameters.tank.closed), {}, "with a roof"},
+
+      {"motion", "type", "", AT(parameters.motion.type), Choices{"none", "surge"},
+       "surge: x = amplitude sin(2 pi frequency t)"},
+      {"motion", "amplitude", "m", AT(parameters.motion.amplitude), Range{0, 100}, "of the tank's displacement"},
+      {"motion", "frequency", "Hz", AT(parameters.motion.frequency), Range{0, 100}, "of the tank's displacement"},
+      {"motion", "start", "", AT(parameters.motion.start), Choices{"impulsive", "smooth"},
+       "at t = 0 the liquid is at rest in the lab, or moves with the tank"},
+
+      {"particles", "spacing", "m", AT(parameters.particles.spacing), Range{0, 10, true},
+       "l0, between particles at rest"},
+
+      {"method", "kernel", "", AT(parameters.method.kernel), kernels(), "weight function of Table 1"},
+      {"method", "kf2_alpha", "", AT(parameters.method.kf2_alpha), Range{0, 100, true}, "alpha of KF2"},
+      {"method", "radius_density", "l0", AT(parameters.method.radius_density), Range{1, 10, true},
+       "r_e of the number density and the divergence"},
+      {"method", "radius_gradient", "l0", AT(parameters.method.radius_gradient), Range{1, 10, true},
+       "r_e of the gradient"},
+      {"method", "radius_laplacian", "l0", AT(parameters.method.radius_laplacian), Range{1, 10, true},
+       "r_e of the Laplacian"},
+      {"method", "surface_beta", "", AT(parameters.method.surface_beta), Range{0, 1, true},
+       "beta of equation (11): free surface where n < beta n0"},
+      {"method", "order", "", AT(parameters.method.order), Choices{"project-first", "move-first"},
+       "whether particles move after or before the pressure solve"},
+      {"method", "source", "", AT(parameters.method.source), Choices{"mixed", "density"},
+       "right-hand side of the pressure equation; density: equation (10)"},
+      {"method", "gradient", "", AT(parameters.method.gradient), Choices{"corrected", "minimum", "plain"},
+       "pressure gradient; plain: equation (4)"},
+      {"method", "surface", "", AT(parameters.method.surface), Choices{"density-and-count", "density"},
+       "test for the free surface; density: equation (11)"},
+      {"method", "separation", "", AT(parameters.method.separation), Choices{"collide", "part", "none"},
+       "of pairs that come too near; part: the additional modification"},
+      {"method", "separation_distance", "l0", AT(parameters.method.separation_distance), Range{0, 1},
+       "pairs nearer than this are separated"},
+      {"method", "shift", "", AT(parameters.method.shift), Range{0, 1}, "strength of particle shifting; 0: none"},
+
+      {"pressure", "solver", "", AT(parameters.pressure.solver), Choices{"iccg", "sor", "cholmod"},
+       "of the pressure equation"},
+      {"pressure", "tolerance", "", AT(parameters.pressure.tolerance), Range{0, 0.1, true},
+       "relative residual at which an iterative solver stops"},
+      {"pressure", "max_iterations", "", AT(parameters.pressure.max_iterations), Range{1, 1e6},
+       "more in one step end the run"},
+
+      {"time", "end", "s", AT(parameters.time.end), Range{0, 1e5, true}, "simulated time"},
+      {"time", "courant", "", AT(parameters.time.courant), Range{0, 1, true},
+       "alpha of equation (18): a step is alpha l0 / v_max at most"},
+
+      {"output", "pictures", "", AT(output.pictures), {}, "frames/000123.png"},
+      {"output", "movie", "", AT(output.movie), Choices{"mp4", "webm", "gif", "none"}, "kind of movie"},
+      {"output", "vtu", "", AT(output.vtu), {}, "particles for ParaView: vtu/ and the .pvd that lists them"},
+      {"output", "probes", "", AT(output.probes), {}, "sensor readings: probes.csv"},
+      {"output", "probe_rate", "Hz", AT(output.probe_rate), Range{0, 1e6, true},
+       "sensor readings per simulated second"},
+      {"output", "frame_rate", "Hz", AT(output.frame_rate), Range{0, 1e4, true}, "frames per simulated second"},
+      {"output", "size", "pixels", size, {}, "of pictures and movie"},
+
+      {"look", "colour_map", "", AT(look.colour_map), Choices{"viridis", "cividis", "cool-warm", "turbo"},
+       "of the pressure"},
+      {"look", "background", "", AT(look.background), Choices{"white", "black", "transparent"}, "of the picture"},
+      {"look", "style", "", AT(look.style), Choices{"disc", "dot"},
+       "particles as edged discs that fill the spacing, or small plain ones"},
+      {"look", "view", "", AT(look.view), Choices{"tank", "lab"}, "what stands still in the picture"},
+      {"look",
+       "range",
+       "Pa",
+       range,
+       {},
+       "of the colours: one from the scene, each frame's own, or the whole run's (drawn after it)"},
+      {"look", "walls", "", AT(look.show_walls), {}, "show wall particles"},
+      {"look", "surface", "", AT(look.show_surface), {}, "mark free-surface particles"},
+      {"look", "tank", "", AT(look.show_tank), {}, "show the tank's outline"},
+      {"look", "bar", "", AT(look.show_bar), {}, "show the scalar bar"},
+      {"look", "clock", "", AT(look.show_clock), {}, "show the simulated time"},
+      {"look", "caption", "", AT(look.show_caption), {}, "show scene, kernel and spacing"},
+      {"look", "ruler", "", AT(look.show_ruler), {}, "show a ruler in metres"},
+  };
+  return table;
+}
+#undef AT
+// clang-format on
+
+}  // namespace seiche::apps

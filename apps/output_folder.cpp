@@ -1,0 +1,61 @@
+#include "apps/output_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace seiche::apps {
+namespace {
+
+// Whether `name` is prefix + at least six digits + suffix, as frames are numbered.
+bool is_numbered(const std::string& name, const std::string& prefix, const std::string& suffix) {
+  const std::size_t ends = prefix.size() + suffix.size();
+  if (name.size() < ends + 6 || !name.starts_with(prefix) || !name.ends_with(suffix)) return false;
+  return std::all_of(name.begin() + prefix.size(), name.end() - suffix.size(),
+                     [](unsigned char c) { return isdigit(c); });
+}
+
+// Removes the numbered files, and the folder with them if nothing else is in it.
+void remove_series(const fs::path& folder, const std::string& prefix, const std::string& suffix) {
+  if (!fs::is_directory(folder)) return;
+  std::vector<fs::path> doomed;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (is_numbered(entry.path().filename(), prefix, suffix)) doomed.push_back(entry.path());
+  }
+  for (const fs::path& file : doomed) fs::remove(file);
+  if (fs::is_empty(folder)) fs::remove(folder);
+}
+
+}  // namespace
+
+void OutputFolder::check(bool overwrite) const {
+  if (!fs::exists(path)) return;
+  if (!fs::is_directory(path)) {
+    throw BadFolder(fmt::format("{} is a file, not a folder; choose another with -o DIR", path.string()));
+  }
+  if (!overwrite && !fs::is_empty(path)) {
+    throw BadFolder(
+        fmt::format("{} exists and isn't empty; choose another folder with -o DIR, or replace the run in it "
+                    "with --overwrite",
+                    path.string()));
+  }
+}
+
+void OutputFolder::prepare() const {
+  try {
+    fs::create_directories(path);
+    remove_series(frames(), "", ".png");
+    remove_series(path / "vtu", scene + "_", ".vtu");
+    for (const char* ending : {".mp4", ".webm", ".gif", ".pvd", ".vtu.series"}) fs::remove(path / (scene + ending));
+    fs::remove(probes());
+    fs::remove(report());
+  } catch (const fs::filesystem_error& error) {
+    throw BadFolder(fmt::format("can't prepare the output folder {}: {}", path.string(), error.code().message()));
+  }
+}
+
+}  // namespace seiche::apps

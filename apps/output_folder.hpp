@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace seiche::apps {
+
+/// The output folder can't be used: why, and what to do.
+struct BadFolder : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Where everything of a run goes.
+struct OutputFolder {
+  std::filesystem::path path;
+  std::string scene;  ///< its name, which the movie, the .pvd and the .vtu files bear
+
+  std::filesystem::path frames() const { return path / "frames"; }
+  std::filesystem::path movie(const std::string& kind) const { return path / (scene + "." + kind); }
+  std::filesystem::path pvd() const { return path / (scene + ".pvd"); }
+  std::filesystem::path probes() const { return path / "probes.csv"; }
+  std::filesystem::path report() const { return path / "run.json"; }
+
+  /// Throws BadFolder where a file stands in the way, or files do and may not be overwritten. Writes nothing.
+  void check(bool overwrite) const;
+
+  /// Makes the folder, and takes out what an earlier run of this scene wrote there; a stranger's files stay.
+  void prepare() const;
+};
+
+}  // namespace seiche::apps

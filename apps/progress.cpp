@@ -1,0 +1,79 @@
+#include "apps/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace seiche::apps {
+namespace {
+
+constexpr double bar_interval = 0.1;  // [s]
+constexpr double line_share = 0.05;
+
+double share(const Moment& m) { return m.end > 0 ? m.time / m.end : 1; }
+
+std::string remaining(const Moment& m) {
+  if (m.stopping) return "ending with this frame (Ctrl-C: at once)";
+  if (share(m) < 0.01) return "";  // Too early to tell.
+  return clock_text(m.elapsed * (m.end - m.time) / m.time) + " left";
+}
+
+std::string facts(const Moment& m) {
+  const double rate = m.elapsed > 0 ? m.steps / m.elapsed : 0;
+  return fmt::format("{:3.0f} %  {:.2f}/{:g} s  frame {}/{}  {} steps  {:.3g} steps/s  {}", std::floor(100 * share(m)),
+                     m.time, m.end, m.frame, m.frames, m.steps, rate, remaining(m));
+}
+
+int terminal_columns() {
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+void print(const std::string& text) {
+  std::fputs(text.c_str(), stdout);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+std::string clock_text(double seconds) {
+  const long s = std::lround(seconds), minutes = s / 60, hours = minutes / 60;
+  return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes % 60, s % 60)
+                   : fmt::format("{}:{:02}", minutes, s % 60);
+}
+
+std::string progress_bar(const Moment& moment, int columns) {
+  constexpr int width = 10;
+  const int full = static_cast<int>(width * share(moment));
+  const std::string bar = fmt::format("[{:-<{}}]{}", std::string(full, '#'), width, facts(moment));
+  return bar.substr(0, std::max(columns - 1, 0));  // A line that wraps can't be drawn over.
+}
+
+std::string progress_line(const Moment& moment) { return facts(moment); }
+
+Progress::Style Progress::suitable(bool quiet) {
+  if (quiet) return Style::none;
+  return isatty(STDOUT_FILENO) ? Style::bar : Style::lines;
+}
+
+void Progress::show(const Moment& moment) {
+  const bool news = moment.stopping && !told_stopping_;
+  told_stopping_ = moment.stopping;
+  if (style_ == Style::bar && (news || moment.elapsed >= next_)) {
+    print("\r\033[K" + progress_bar(moment, terminal_columns()));
+    next_ = moment.elapsed + bar_interval;
+  }
+  if (style_ == Style::lines && (news || share(moment) >= next_)) {
+    print(progress_line(moment) + "\n");
+    next_ = line_share * (std::floor(share(moment) / line_share + 1e-9) + 1);
+  }
+}
+
+void Progress::clear() {
+  if (style_ == Style::bar) print("\r\033[K");
+}
+
+}  // namespace seiche::apps

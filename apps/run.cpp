@@ -1,0 +1,68 @@
+#include "apps/run.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include "apps/closing.hpp"
+#include "apps/exit_codes.hpp"
+#include "apps/loop.hpp"
+#include "apps/run_info.hpp"
+#include "apps/run_json.hpp"
+#include "apps/scene_file.hpp"
+#include "apps/scene_text.hpp"
+#include "apps/signals.hpp"
+#include "apps/stopwatch.hpp"
+
+namespace seiche::apps {
+namespace {
+
+int exit_code(Ending::Status status) {
+  switch (status) {
+    case Ending::Status::finished:
+      return done;
+    case Ending::Status::interrupted:
+      return interrupted;
+    case Ending::Status::failed:
+      break;
+  }
+  return failed;
+}
+
+// The run proper: simulation and folder are ready.
+int simulate(const Scene& scene, const OutputFolder& folder, Simulation& simulation, bool quiet) {
+  const Stopwatch watch;
+  const SignalWatch signals;
+  Progress progress(Progress::suitable(quiet));
+  Outputs outputs = make_outputs(scene, folder);
+  write_run_json(folder.report(), scene, {{}, simulation.statistics(), {}});
+
+  const Ending ending = run_loop(simulation, outputs, run_info(scene), progress, [&] { return signals.caught(); });
+
+  RunRecord record{ending, simulation.statistics(), simulation.statistics().seconds};
+  record.seconds.merge(outputs.seconds());
+  record.seconds["total"] = watch.seconds();
+  write_run_json(folder.report(), scene, record);
+  print_closing(scene, folder, record, quiet);
+  return exit_code(ending.status);
+}
+
+}  // namespace
+
+int run(const RunRequest& request) {
+  Scene scene = read_scene(request.scene, request.overrides);
+  if (request.dry_run) {
+    fmt::print("{}", explained_scene_text(scene));
+    return done;
+  }
+  scene.parameters.threads = request.threads > 0 ? request.threads : omp_get_num_procs();
+
+  const OutputFolder folder{request.folder.empty() ? "out" / std::filesystem::path(scene.name) : request.folder,
+                            scene.name};
+  folder.check(request.overwrite);
+  check_outputs(scene, folder);
+  const auto simulation = make_simulation(scene.parameters, scene.output.probes ? 1 / scene.output.probe_rate : 0);
+  folder.prepare();
+  return simulate(scene, folder, *simulation, request.quiet);
+}
+
+}  // namespace seiche::apps

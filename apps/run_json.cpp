@@ -1,0 +1,74 @@
+#include "apps/run_json.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "apps/options.hpp"
+#include "apps/run_info.hpp"
+#include "apps/scene_text.hpp"
+
+namespace seiche::apps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json parameters(const Scene& scene) {
+  Json result;
+  for (const Option& option : options()) {
+    Json& at = option.section.empty() ? result : result[std::string(option.section)];
+    std::visit([&](const auto& value) { at[std::string(option.key)] = value; }, value_of(option, scene));
+  }
+  return result;
+}
+
+Json ending(const std::optional<Ending>& ending) {
+  if (!ending) return Json::object({{"status", "running"}});
+  Json result = Json::object({{"status", name(ending->status)}, {"time_s", ending->time}, {"frames", ending->frames}});
+  if (!ending->reason.empty()) result["reason"] = ending->reason;
+  return result;
+}
+
+Json steps(const Statistics& s) {
+  return {{"count", s.steps},
+          {"shortest_s", s.shortest_step},
+          {"longest_s", s.longest_step},
+          {"list_builds", s.list_builds}};
+}
+
+Json pressure(const Statistics& s) {
+  return {{"iterations", s.iterations},
+          {"iterations_per_step", s.steps > 0 ? static_cast<double>(s.iterations) / s.steps : 0},
+          {"worst_residual", s.worst_residual}};
+}
+
+Json particles(const Statistics& s) {
+  return {{"fluid", s.fluid_particles},
+          {"wall", s.wall_particles},
+          {"dummy", s.dummy_particles},
+          {"leaked", s.leaked},
+          {"spilled", s.spilled}};
+}
+
+}  // namespace
+
+void write_run_json(const std::filesystem::path& file, const Scene& scene, const RunRecord& record) {
+  const Json json{{"seiche", version()},
+                  {"scene", {{"name", scene.name}, {"file", scene.file}, {"hash", scene_hash(scene)}}},
+                  {"run", ending(record.ending)},
+                  {"particles", particles(record.statistics)},
+                  {"steps", steps(record.statistics)},
+                  {"pressure", pressure(record.statistics)},
+                  {"threads", scene.parameters.threads},
+                  {"parameters", parameters(scene)},
+                  {"seconds", record.seconds}};
+  const std::filesystem::path temporary = file.string() + ".tmp";
+  std::ofstream out(temporary);
+  out << json.dump(2) << '\n';
+  out.close();
+  if (!out) throw std::runtime_error(fmt::format("can't write {}: is the disk full?", file.string()));
+  std::filesystem::rename(temporary, file);
+}
+
+}  // namespace seiche::apps

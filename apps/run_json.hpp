@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "apps/loop.hpp"
+#include "apps/scene.hpp"
+#include "solver/simulation.hpp"
+
+namespace seiche::apps {
+
+/// What run.json tells of a run. Only `seconds` differs between two runs of one scene with the same threads.
+struct RunRecord {
+  std::optional<Ending> ending;  ///< none: the run is still going
+  Statistics statistics;
+  std::map<std::string, double> seconds;  ///< wall-clock, by stage of a step, by output, and "total"
+};
+
+/// Writes the record as JSON, to a temporary file first, so that a reader never finds half of one.
+/// Throws std::runtime_error.
+void write_run_json(const std::filesystem::path& file, const Scene& scene, const RunRecord& record);
+
+}  // namespace seiche::apps

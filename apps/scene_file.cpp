@@ -1,0 +1,90 @@
+#include "apps/scene_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "apps/nearest.hpp"
+#include "apps/toml_settings.hpp"
+#include "solver/simulation.hpp"
+
+namespace seiche::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_text(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!fs::is_directory(file) && in && text << in.rdbuf()) return text.str();
+  if (fs::exists(file)) throw BadScene(fmt::format("{}: this is no readable file", file));
+
+  std::vector<std::string> scenes;
+  std::error_code ignored;
+  const fs::path folder = fs::path(file).parent_path();
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+    if (entry.path().extension() == ".toml") scenes.push_back(entry.path().filename());
+  }
+  std::sort(scenes.begin(), scenes.end());
+  const auto guess = nearest(fs::path(file).filename().string(), scenes);
+  throw BadScene(fmt::format("{}: there is no such file{}", file,
+                             guess ? fmt::format("; did you mean '{}'?", (folder / *guess).string()) : ""));
+}
+
+bool is_preset(const Setting& setting) { return setting.option == find_option("", "preset"); }
+
+// Puts the settings into a new scene, the last preset before all else.
+Scene assemble(const std::vector<Setting>& settings, std::vector<Complaint>& complaints) {
+  Scene scene;
+  const auto put = [&](const Setting& setting) {
+    if (const auto complaint = assign(*setting.option, scene, setting.value)) {
+      complaints.push_back({fmt::format("{}: {}", setting.origin, *complaint), setting.position});
+    }
+  };
+  for (const Setting& setting : settings) {
+    if (is_preset(setting)) put(setting);
+  }
+  const std::string preset = scene.parameters.preset;
+  apply_preset(scene.parameters, preset);
+  for (const Setting& setting : settings) {
+    if (!is_preset(setting)) put(setting);
+  }
+  return scene;
+}
+
+[[noreturn]] void refuse(std::vector<Complaint> complaints) {
+  std::stable_sort(complaints.begin(), complaints.end(),
+                   [](const Complaint& a, const Complaint& b) { return a.position < b.position; });
+  std::string all;
+  for (const Complaint& complaint : complaints) all += (all.empty() ? "" : "\n") + complaint.message;
+  throw BadScene(all);
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& toml, const std::string& file, const std::vector<Override>& overrides) {
+  Settings all = toml_settings(toml, file);
+  Settings more = override_settings(overrides);
+  all.good.insert(all.good.end(), more.good.begin(), more.good.end());
+  all.complaints.insert(all.complaints.end(), more.complaints.begin(), more.complaints.end());
+
+  Scene scene = assemble(all.good, all.complaints);
+  if (!all.complaints.empty()) refuse(std::move(all.complaints));
+  scene.file = file;
+  scene.name = fs::path(file).stem();
+  try {
+    check_parameters(scene.parameters);
+  } catch (const BadParameters& error) {
+    throw BadScene(fmt::format("{}: {}", file, error.what()));
+  }
+  return scene;
+}
+
+Scene read_scene(const std::string& file, const std::vector<Override>& overrides) {
+  return parse_scene(read_text(file), file, overrides);
+}
+
+}  // namespace seiche::apps

@@ -1,0 +1,36 @@
+#pragma once
+#include <limits>
+#include <string>
+
+#include "apps/options.hpp"
+
+namespace seiche::apps {
+
+/// Where something stands in a scene file; what the command line says comes after all of it.
+struct Position {
+  unsigned line = std::numeric_limits<unsigned>::max();
+  unsigned column = 0;
+  auto operator<=>(const Position&) const = default;
+};
+
+/// A key with the value it is given, not yet put into a scene.
+struct Setting {
+  std::string origin;  ///< for messages: file:line:column, or the flag as the user wrote it
+  Position position;
+  const Option* option;
+  Value value;
+};
+
+/// Something wrong, fit for the user.
+struct Complaint {
+  std::string message;
+  Position position;
+};
+
+/// What a source of settings holds, and what is wrong with it.
+struct Settings {
+  std::vector<Setting> good;
+  std::vector<Complaint> complaints;
+};
+
+}  // namespace seiche::apps
