@@ -56,10 +56,11 @@ class Movie : public ImageSink {
                                        "-video_size", fmt::format("{}x{}", image.width, image.height),
                                        "-framerate", fmt::format("{:.9g}", rate), "-i", "pipe:0"};
     arguments.insert(arguments.end(), codec_.options.begin(), codec_.options.end());
-    // bitexact: no version and no random number of ffmpeg's in the file.
+    // bitexact: no version and no random number of ffmpeg's in the file. flush_packets: what is encoded is in the file at
+    // once, and not in a buffer that a kill -9 would take along.
     const auto second = std::max(1L, std::lround(rate));
     for (const auto& word : {std::string("-g"), fmt::format("{}", second), std::string("-fflags"), std::string("+bitexact"),
-                             std::string("-flags:v"), std::string("+bitexact")})
+                             std::string("-flags:v"), std::string("+bitexact"), std::string("-flush_packets"), std::string("1")})
       arguments.push_back(word);
     std::string comment;
     for (const auto& [keyword, value] : provenance(run_)) comment += fmt::format("{}: {}\n", keyword, value);

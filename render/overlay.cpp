@@ -23,13 +23,12 @@ namespace {
 
 constexpr int dpi = 72;  // a font of size s is then s pixels high
 
-// VTK's own "Arial" is whatever font the machine has in its stead: pictures name theirs.
+}  // namespace
+
 void set_font(vtkTextProperty* style) {
   style->SetFontFamily(VTK_FONT_FILE);
   style->SetFontFile(SEICHE_FONT);
 }
-
-}  // namespace
 
 Overlay::Overlay(vtkRenderer* renderer)
     : renderer_(renderer),

@@ -12,6 +12,7 @@ class vtkCellArray;
 class vtkPoints;
 class vtkRenderer;
 class vtkTextActor;
+class vtkTextProperty;
 class vtkUnsignedCharArray;
 
 namespace seiche::render {
@@ -42,6 +43,9 @@ class Overlay {
   vtkSmartPointer<vtkUnsignedCharArray> colours_;
   std::vector<vtkSmartPointer<vtkTextActor>> texts_;
 };
+
+/// The font of all pictures. VTK's own "Arial" is whatever the machine has in its stead.
+void set_font(vtkTextProperty* style);
 
 /// Width of a line of text in font heights.
 double text_width(const std::string& words);

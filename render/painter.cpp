@@ -123,7 +123,7 @@ Painter::Stage::Stage(const RunInfo& run, const Look& look, const Frame& first) 
     tank = tank_outline(run, layout.line / layout.scale, colours.outline);
     renderer->AddActor(tank);
   }
-  particles.emplace(renderer, run, look, layout.scale, 0.08 * layout.font);
+  particles.emplace(renderer, run, look, layout.scale, std::max(1.2, 0.08 * layout.font));
   overlay.emplace(renderer);
   if (look.show_bar) bar.emplace(renderer, layout, ColourMap(look.colour_map), colours.ink);
   const auto words = [&](const std::string& text, const Box& place, Align align) {

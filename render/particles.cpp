@@ -14,6 +14,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace seiche::render {
 
@@ -67,6 +68,7 @@ struct Disc {
   double hole = 0;      // of a ring, as part of the radius
   double edge = 1;      // where the darker edge begins, as part of the radius
   double shade = 0;     // how much darker it is
+  double relief = 1e-3; // height of the cone, in depths of the picture
   double layer = 0;     // discs of a greater layer cover those of a smaller one
   bool square = false;
 };
@@ -82,10 +84,10 @@ vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(const Disc& disc) {
       "vec2 at = abs(offsetVCVSOutput.xy);\n"
       "float r = {};\n"
       "if (r > 1.0 || r < {:.4f}) discard;\n"
-      "gl_FragDepth = gl_FragCoord.z + 1e-3 * r;\n"
+      "gl_FragDepth = gl_FragCoord.z + {:.6f} * r;\n"
       "float shade = 1.0 - {:.4f} * smoothstep({:.4f}, {:.4f}, r);\n"
       "ambientColor *= shade; diffuseColor *= shade;\n",
-      disc.square ? "max(at.x, at.y)" : "length(at)", disc.hole, disc.shade, disc.edge, 0.5 * (1 + disc.edge));
+      disc.square ? "max(at.x, at.y)" : "length(at)", disc.hole, disc.relief, disc.shade, disc.edge, 0.5 * (1 + disc.edge));
   mapper->SetSplatShaderCode(shader.c_str());
   return mapper;
 }
@@ -94,21 +96,33 @@ vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(const Disc& disc) {
 
 Particles::Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke)
     : map_(look.colour_map) {
-  const bool dots = look.style == "dot";
-  if (run.dimension == 3) {
-    const auto spheres = [&](double size) {
-      vtkNew<vtkOpenGLSphereMapper> mapper;
-      mapper->SetRadius(static_cast<float>(size));
-      auto layer = std::make_unique<Layer>(renderer, mapper);
-      layer->actor->GetProperty()->SetAmbient(0.25);
-      layer->actor->GetProperty()->SetDiffuse(0.8);
-      layer->actor->GetProperty()->SetSpecular(0.12);
-      layer->actor->GetProperty()->SetSpecularPower(20);
-      return layer;
-    };
-    fluid_ = spheres((dots ? 0.28 : 0.5) * run.spacing);
-    return;
+  if (run.dimension == 3)
+    make_spheres(renderer, run, look);
+  else
+    make_discs(renderer, run, look, scale, stroke);
+}
+
+void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Look& look) {
+  const double radius = run.spacing * (look.style == "dot" ? 0.28 : 0.5);
+  vtkNew<vtkOpenGLSphereMapper> mapper;
+  mapper->SetRadius(static_cast<float>(radius));
+  fluid_ = std::make_unique<Layer>(renderer, mapper);
+  vtkProperty* property = fluid_->actor->GetProperty();
+  property->SetAmbient(0.35);
+  property->SetDiffuse(0.75);
+  property->SetSpecular(0.1);
+  property->SetSpecularPower(20);
+  if (look.show_surface) {
+    // A small ring on each sphere, towards the camera.
+    surface_ = std::make_unique<Layer>(renderer, disc_mapper({.radius = 0.5 * radius, .hole = 0.5, .relief = 0}));
+    surface_->actor->GetProperty()->LightingOff();
+    const double step = 1.1 * radius / std::sqrt(3.0);
+    surface_->actor->SetPosition(step, step, step);
   }
+}
+
+void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke) {
+  const bool dots = look.style == "dot";
   const auto discs = [&](const Disc& disc) {
     auto layer = std::make_unique<Layer>(renderer, disc_mapper(disc));
     layer->actor->GetProperty()->LightingOff();

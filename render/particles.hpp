@@ -28,6 +28,9 @@ class Particles {
 
  private:
   struct Layer;
+  void make_spheres(vtkRenderer* renderer, const RunInfo& run, const Look& look);
+  void make_discs(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke);
+
   ColourMap map_;
   std::unique_ptr<Layer> fluid_, surface_, wall_, dummy_;  // null when not shown
 };

@@ -1,0 +1,123 @@
+#include <vtkAxis.h>
+#include <vtkChartLegend.h>
+#include <vtkChartXY.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkPlot.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/outputs.hpp"
+#include "render/overlay.hpp"
+#include "render/pixels.hpp"
+#include "render/range.hpp"
+#include "render/window.hpp"
+
+namespace seiche::render {
+namespace {
+
+// Colours that differ for the colour-blind too: M. Okabe, K. Ito, Color Universal Design, 2008; its yellow is left out,
+// being too pale for a line on white.
+constexpr std::array<Rgb, 6> colours{
+    {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {0, 0, 0}}};
+
+void style_text(vtkTextProperty* text, double size) {
+  set_font(text);
+  text->SetFontSize(static_cast<int>(std::lround(size)));
+  text->SetColor(0.13, 0.13, 0.13);
+  text->BoldOff();
+}
+
+void style_axis(vtkAxis* axis, const std::string& title, Range range, double font) {
+  axis->SetTitle(title);
+  style_text(axis->GetTitleProperties(), font);
+  style_text(axis->GetLabelProperties(), 0.85 * font);
+  axis->GetPen()->SetWidth(static_cast<float>(font / 14));
+  axis->SetLabelOffset(static_cast<float>(0.55 * font));
+  axis->SetTickLength(static_cast<float>(0.3 * font));
+  axis->GetGridPen()->SetColor(228, 228, 228);
+  axis->GetGridPen()->SetWidth(static_cast<float>(font / 20));
+  const Ticks ticks = round_ticks(range);
+  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkStringArray> labels;
+  for (const double value : ticks.values) {
+    places->InsertNextValue(value);
+    labels->InsertNextValue(tick_label(value, ticks.step));
+  }
+  axis->SetBehavior(vtkAxis::FIXED);
+  axis->SetRange(range.low, range.high);
+  axis->SetCustomTickPositions(places, labels);
+}
+
+Range extent(const std::vector<Curve>& curves, std::vector<double> Curve::*values) {
+  Range range{0, 0};
+  for (const Curve& curve : curves)
+    for (const double value : curve.*values)
+      if (std::isfinite(value)) range = {std::min(range.low, value), std::max(range.high, value)};
+  return rounded(range);
+}
+
+void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t number, double font) {
+  vtkNew<vtkDoubleArray> x, y;
+  x->SetName("x");
+  y->SetName(curve.name.c_str());
+  for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
+    x->InsertNextValue(curve.x[i]);
+    y->InsertNextValue(curve.y[i]);
+  }
+  vtkNew<vtkTable> table;
+  table->AddColumn(x);
+  table->AddColumn(y);
+  vtkPlot* line = chart->AddPlot(vtkChart::LINE);
+  line->SetInputData(table, 0, 1);
+  line->SetLabel(" " + curve.name);  // apart from its line
+  const Rgb colour = colours[number % colours.size()];
+  line->SetColor(colour[0], colour[1], colour[2], 255);
+  line->SetWidth(static_cast<float>(font / 7));
+}
+
+}  // namespace
+
+Image draw_curves(const std::vector<Curve>& curves, const std::string& title, const std::string& x_label,
+                  const std::string& y_label, int width, int height) {
+  const double font = sharpness * std::max(9.0, std::min(width / 1280.0, height / 720.0) * 24);
+  vtkNew<vtkChartXY> chart;
+  for (std::size_t i = 0; i < curves.size(); ++i) add_curve(chart, curves[i], i, font);
+  const auto edge = static_cast<float>(1.2 * font);
+  chart->SetAutoSize(false);
+  chart->SetSize({edge, edge, static_cast<float>(sharpness * width) - 2 * edge, static_cast<float>(sharpness * height) - 2 * edge});
+  chart->SetTitle(title);
+  style_text(chart->GetTitleProperties(), 1.15 * font);
+  style_axis(chart->GetAxis(vtkAxis::BOTTOM), x_label, extent(curves, &Curve::x), font);
+  style_axis(chart->GetAxis(vtkAxis::LEFT), y_label, extent(curves, &Curve::y), font);
+  chart->SetShowLegend(true);
+  style_text(chart->GetLegend()->GetLabelProperties(), font);
+  chart->GetLegend()->SetSymbolWidth(static_cast<int>(2.2 * font));
+  chart->GetLegend()->SetPadding(static_cast<int>(0.4 * font));
+  chart->GetLegend()->GetPen()->SetOpacity(0);
+
+  vtkNew<vtkContextScene> scene;
+  scene->AddItem(chart);
+  vtkNew<vtkContextActor> actor;
+  actor->SetScene(scene);
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1, 1, 1);
+  renderer->SetBackgroundAlpha(1);
+  renderer->AddActor(actor);
+  scene->SetRenderer(renderer);
+  const auto window = make_window(sharpness * width, sharpness * height);
+  window->AddRenderer(renderer);
+  window->Render();
+  return PixelReader().read(window);
+}
+
+}  // namespace seiche::render

@@ -1,0 +1,74 @@
+#include "render/layout.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace seiche::render;
+
+namespace {
+
+Needs needs(int width, int height, double view_width, double view_height) {
+  Needs all;
+  all.width = width;
+  all.height = height;
+  all.view_width = view_width;
+  all.view_height = view_height;
+  all.caption = 14;
+  all.clock = 6;
+  all.key = 12;
+  all.ruler = 0.2 * view_width;
+  all.ruler_label = 3;
+  all.bar_labels = 6;
+  all.bar_title = 6.5;
+  return all;
+}
+
+bool apart(const Box& a, const Box& b) {
+  return a.right() <= b.x || b.right() <= a.x || a.top() <= b.y || b.top() <= a.y;
+}
+
+}  // namespace
+
+TEST(Layout, NothingIsClippedAndNothingOverlaps) {
+  const int sizes[][2] = {{640, 360}, {1280, 720}, {3840, 2160}, {720, 1280}, {1000, 1000}, {1920, 400}, {480, 360}};
+  const double views[][2] = {{0.6, 0.4}, {3, 0.3}, {0.3, 1.2}, {1, 1}};
+  for (const auto& [width, height] : sizes)
+    for (const auto& [across, up] : views) {
+      SCOPED_TRACE(testing::Message() << width << " x " << height << " pixels for " << across << " x " << up << " m");
+      const Needs all = needs(width, height, across, up);
+      const Layout layout = lay_out(all);
+      ASSERT_GT(layout.scale, 0);
+      const Box boxes[] = {layout.view, layout.caption, layout.clock, layout.ruler, layout.key, layout.bar};
+      for (std::size_t i = 0; i < std::size(boxes); ++i) {
+        EXPECT_GE(boxes[i].x, 0) << i;
+        EXPECT_GE(boxes[i].y, 0) << i;
+        EXPECT_LE(boxes[i].right(), width) << i;
+        EXPECT_LE(boxes[i].top(), height) << i;
+        for (std::size_t j = 0; j < i; ++j) EXPECT_TRUE(apart(boxes[i], boxes[j])) << i << " and " << j;
+      }
+      EXPECT_GE(layout.caption.width, all.caption * layout.font * 0.999) << "the caption is cut";
+    }
+}
+
+TEST(Layout, ViewKeepsItsShape) {
+  const Layout layout = lay_out(needs(1280, 720, 0.6, 0.4));
+  EXPECT_NEAR(layout.view.width / layout.view.height, 1.5, 1e-9);
+  EXPECT_NEAR(layout.view.width, 0.6 * layout.scale, 1e-9);
+}
+
+TEST(Layout, BarStandsBesideATallTankAndLiesBelowAFlatOne) {
+  EXPECT_TRUE(lay_out(needs(1280, 720, 0.3, 1.2)).bar_upright);
+  EXPECT_FALSE(lay_out(needs(1280, 720, 3, 0.3)).bar_upright);
+}
+
+TEST(Layout, GrowsWithThePicture) {
+  const Layout small = lay_out(needs(1280, 720, 0.6, 0.4)), large = lay_out(needs(3840, 2160, 0.6, 0.4));
+  EXPECT_NEAR(large.font, 3 * small.font, 1e-9);
+  EXPECT_NEAR(large.scale, 3 * small.scale, 1e-6);
+}
+
+TEST(Layout, HiddenPartsLeaveTheirRoomToTheTank) {
+  Needs all = needs(1280, 720, 0.6, 0.4);
+  const double with_bar = lay_out(all).scale;
+  all.caption = all.clock = all.key = all.ruler = all.bar_labels = 0;
+  EXPECT_GT(lay_out(all).scale, 1.1 * with_bar);
+}

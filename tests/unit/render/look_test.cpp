@@ -1,0 +1,36 @@
+#include "render/look.hpp"
+
+#include <gtest/gtest.h>
+
+#include "render/painter.hpp"
+
+using namespace seiche::render;
+
+TEST(Look, DefaultsCanBeDrawn) { EXPECT_NO_THROW(check_look(Look{})); }
+
+TEST(Look, EachWrongMemberIsRefusedByItsValue) {
+  const auto refused = [](auto change) {
+    Look look;
+    change(look);
+    try {
+      check_look(look);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what()).find("wrong") != std::string::npos;
+    }
+    return false;
+  };
+  EXPECT_TRUE(refused([](Look& look) { look.colour_map = "wrong"; }));
+  EXPECT_TRUE(refused([](Look& look) { look.background = "wrong"; }));
+  EXPECT_TRUE(refused([](Look& look) { look.style = "wrong"; }));
+  EXPECT_TRUE(refused([](Look& look) { look.view = "wrong"; }));
+  EXPECT_TRUE(refused([](Look& look) { look.range = "wrong"; }));
+}
+
+TEST(Look, SizesHaveBounds) {
+  for (const auto& [width, height] : {std::pair{63, 720}, {1280, 0}, {-1, 720}, {1280, 8193}}) {
+    Look look;
+    look.width = width;
+    look.height = height;
+    EXPECT_THROW(check_look(look), std::invalid_argument) << width << " x " << height;
+  }
+}
