@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "render/file.hpp"
+
 namespace fs = std::filesystem;
 
 namespace seiche::apps {
@@ -19,12 +21,20 @@ bool is_numbered(const std::string& name, const std::string& prefix, const std::
                      [](unsigned char c) { return isdigit(c); });
 }
 
+// A file, and what a killed run may have left of it under its partial name.
+void remove_file(const fs::path& file) {
+  fs::remove(file);
+  fs::remove(render::partial_name(file));
+}
+
 // Removes the numbered files, and the folder with them if nothing else is in it.
 void remove_series(const fs::path& folder, const std::string& prefix, const std::string& suffix) {
   if (!fs::is_directory(folder)) return;
+  const std::string partial = render::partial_name(prefix);
   std::vector<fs::path> doomed;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (is_numbered(entry.path().filename(), prefix, suffix)) doomed.push_back(entry.path());
+    const std::string name = entry.path().filename();
+    if (is_numbered(name, prefix, suffix) || is_numbered(name, partial, suffix)) doomed.push_back(entry.path());
   }
   for (const fs::path& file : doomed) fs::remove(file);
   if (fs::is_empty(folder)) fs::remove(folder);
@@ -50,9 +60,9 @@ void OutputFolder::prepare() const {
     fs::create_directories(path);
     remove_series(frames(), "", ".png");
     remove_series(path / "vtu", scene + "_", ".vtu");
-    for (const char* ending : {".mp4", ".webm", ".gif", ".pvd", ".vtu.series"}) fs::remove(path / (scene + ending));
-    fs::remove(probes());
-    fs::remove(report());
+    for (const char* ending : {".mp4", ".webm", ".gif", ".pvd", ".vtu.series"}) remove_file(path / (scene + ending));
+    remove_file(probes());
+    remove_file(report());
   } catch (const fs::filesystem_error& error) {
     throw BadFolder(fmt::format("can't prepare the output folder {}: {}", path.string(), error.code().message()));
   }

@@ -1,13 +1,12 @@
 #include "apps/run_json.hpp"
 
-#include <fmt/format.h>
-
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "apps/options.hpp"
 #include "apps/run_info.hpp"
 #include "apps/scene_text.hpp"
+#include "render/file.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -63,12 +62,7 @@ void write_run_json(const std::filesystem::path& file, const Scene& scene, const
                   {"threads", scene.parameters.threads},
                   {"parameters", parameters(scene)},
                   {"seconds", record.seconds}};
-  const std::filesystem::path temporary = file.string() + ".tmp";
-  std::ofstream out(temporary);
-  out << json.dump(2) << '\n';
-  out.close();
-  if (!out) throw std::runtime_error(fmt::format("can't write {}: is the disk full?", file.string()));
-  std::filesystem::rename(temporary, file);
+  render::write_file(file, json.dump(2) + "\n");
 }
 
 }  // namespace seiche::apps
