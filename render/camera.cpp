@@ -37,8 +37,10 @@ View::View(int dimension, const Bounds& bounds) {
 }
 
 void View::aim(vtkRenderer* renderer, const Layout& layout, int picture_width, int picture_height) const {
-  const double x = (low_[0] + high_[0]) / 2 + (picture_width / 2.0 - layout.view.x - layout.view.width / 2) / layout.scale;
-  const double y = (low_[1] + high_[1]) / 2 + (picture_height / 2.0 - layout.view.y - layout.view.height / 2) / layout.scale;
+  const double x =
+      (low_[0] + high_[0]) / 2 + (picture_width / 2.0 - layout.view.x - layout.view.width / 2) / layout.scale;
+  const double y =
+      (low_[1] + high_[1]) / 2 + (picture_height / 2.0 - layout.view.y - layout.view.height / 2) / layout.scale;
   Double3 focus, position;
   const double away = 3 * (depth_ + width() + height());
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 
 #include "render/layout.hpp"
 #include "solver/frame.hpp"
@@ -18,8 +19,11 @@ class View {
  public:
   View(int dimension, const Bounds& bounds);
 
-  double width() const { return high_[0] - low_[0]; }   ///< of the bounds as the camera sees them [m]
+  double width() const { return high_[0] - low_[0]; }  ///< of the bounds as the camera sees them [m]
   double height() const { return high_[1] - low_[1]; }
+
+  /// Seen length of a tank's edge of 1 m, the same for each [m].
+  double foreshortening() const { return right_[0] == 1 ? 1 : std::sqrt(2 / 3.0); }
 
   /// Puts the camera so that the bounds fill layout.view of a picture of the given size [pixels].
   void aim(vtkRenderer* renderer, const Layout& layout, int picture_width, int picture_height) const;

@@ -94,7 +94,8 @@ Image draw_curves(const std::vector<Curve>& curves, const std::string& title, co
   for (std::size_t i = 0; i < curves.size(); ++i) add_curve(chart, curves[i], i, font);
   const auto edge = static_cast<float>(1.2 * font);
   chart->SetAutoSize(false);
-  chart->SetSize({edge, edge, static_cast<float>(sharpness * width) - 2 * edge, static_cast<float>(sharpness * height) - 2 * edge});
+  chart->SetSize({edge, edge, static_cast<float>(sharpness * width) - 2 * edge,
+                  static_cast<float>(sharpness * height) - 2 * edge});
   chart->SetTitle(title);
   style_text(chart->GetTitleProperties(), 1.15 * font);
   style_axis(chart->GetAxis(vtkAxis::BOTTOM), x_label, extent(curves, &Curve::x), font);

@@ -18,8 +18,9 @@ std::vector<std::string> words(const char* line) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-constexpr const char* yuv = "-vf scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
-                            " -colorspace bt709 -color_primaries bt709 -color_trc bt709 -color_range tv ";
+constexpr const char* yuv =
+    "-vf scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
+    " -colorspace bt709 -color_primaries bt709 -color_trc bt709 -color_range tv ";
 
 // stdout of ffmpeg with the given options.
 std::string ask_ffmpeg(const std::vector<std::string>& options) {
@@ -28,7 +29,8 @@ std::string ask_ffmpeg(const std::vector<std::string>& options) {
   try {
     Child ffmpeg(arguments);
     if (ffmpeg.finish()) return ffmpeg.output();
-    throw NoEncoder(fmt::format("the program ffmpeg doesn't run ({}); install Debian's package ffmpeg anew", ffmpeg.errors()));
+    throw NoEncoder(
+        fmt::format("the program ffmpeg doesn't run ({}); install Debian's package ffmpeg anew", ffmpeg.errors()));
   } catch (const std::system_error& error) {
     throw NoEncoder(fmt::format("the program ffmpeg can't be started ({}); install Debian's package ffmpeg",
                                 error.code().message()));
@@ -41,23 +43,24 @@ const std::vector<Codec>& codecs() {
   static const std::vector<Codec> all{
       // Fragments of a second: whatever kills the program, the file holds all but the last of them.
       {".mp4", "libx264",
-       words(fmt::format("{}-c:v libx264 -preset fast -crf 18 -movflags +frag_keyframe+empty_moov+default_base_moof", yuv)
-                 .c_str()),
+       words(
+           fmt::format("{}-c:v libx264 -preset fast -crf 18 -movflags +frag_keyframe+empty_moov+default_base_moof", yuv)
+               .c_str()),
        true, true},
       {".webm", "libvpx-vp9",
        words(fmt::format("{}-c:v libvpx-vp9 -crf 24 -b:v 0 -row-mt 1 -deadline good -cpu-used 5", yuv).c_str()), false,
        true},
       // A palette for each picture: one for all would make ffmpeg hold every picture to the end.
-      {".gif", "gif", words("-vf split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none -c:v gif"),
-       false, false}};
+      {".gif", "gif",
+       words("-vf split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none -c:v gif"), false,
+       false}};
   return all;
 }
 
 const Codec& codec_of(const std::filesystem::path& file) {
   for (const Codec& codec : codecs())
     if (file.extension() == codec.ending) return codec;
-  throw std::invalid_argument(
-      fmt::format("{}: the ending of a movie's name is .mp4, .webm or .gif", file.string()));
+  throw std::invalid_argument(fmt::format("{}: the ending of a movie's name is .mp4, .webm or .gif", file.string()));
 }
 
 Ffmpeg find_ffmpeg() {
@@ -78,12 +81,13 @@ Ffmpeg find_ffmpeg() {
 void check_movie(const std::filesystem::path& file, int width, int height) {
   const Codec& codec = codec_of(file);
   if (codec.even && (width % 2 != 0 || height % 2 != 0))
-    throw std::invalid_argument(fmt::format("{} needs an even width and height, not {} x {}; change the size or write a .gif",
-                                            codec.ending, width, height));
+    throw std::invalid_argument(
+        fmt::format("{} needs an even width and height, not {} x {}; change the size or write a .gif", codec.ending,
+                    width, height));
   const auto encoders = find_ffmpeg().encoders;
   if (std::find(encoders.begin(), encoders.end(), codec.encoder) == encoders.end())
-    throw NoEncoder(fmt::format("ffmpeg has no encoder {} for {}; install Debian's package ffmpeg", codec.encoder,
-                                file.string()));
+    throw NoEncoder(
+        fmt::format("ffmpeg has no encoder {} for {}; install Debian's package ffmpeg", codec.encoder, file.string()));
 }
 
 }  // namespace seiche::render

@@ -7,11 +7,11 @@ namespace seiche::render {
 
 /// How ffmpeg encodes a movie whose name has a certain ending.
 struct Codec {
-  std::string ending;                 ///< as in ".mp4"
-  std::string encoder;                ///< ffmpeg's name
-  std::vector<std::string> options;   ///< for a file that can be played at any moment of its making
-  bool remux = false;                 ///< copied at the end into a file that plays without reading all of it
-  bool even = true;                   ///< needs an even width and height
+  std::string ending;                ///< as in ".mp4"
+  std::string encoder;               ///< ffmpeg's name
+  std::vector<std::string> options;  ///< for a file that can be played at any moment of its making
+  bool remux = false;                ///< copied at the end into a file that plays without reading all of it
+  bool even = true;                  ///< needs an even width and height
 };
 
 const std::vector<Codec>& codecs();

@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <string_view>
 
-// Files are written under another name in the same folder and renamed when they are whole, so that no reader, and nobody
-// after a killed run, ever meets half a file. All functions throw std::runtime_error.
+// Files are written under another name in the same folder and renamed when they are whole, so that no reader, and
+// nobody after a killed run, ever meets half a file. All functions throw std::runtime_error.
 namespace seiche::render {
 
 /// The name to write `file` under. Makes its folder.

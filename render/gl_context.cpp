@@ -12,12 +12,18 @@ extern "C" __attribute__((visibility("default"))) void (*glXGetProcAddressARB(co
 namespace seiche::render::gl {
 
 Context::Context() {
-  const int wanted[] = {OSMESA_FORMAT,  OSMESA_RGBA,
-                        OSMESA_DEPTH_BITS, 24,
-                        OSMESA_STENCIL_BITS, 8,
-                        OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                        OSMESA_CONTEXT_MAJOR_VERSION, 3,
-                        OSMESA_CONTEXT_MINOR_VERSION, 2,
+  const int wanted[] = {OSMESA_FORMAT,
+                        OSMESA_RGBA,
+                        OSMESA_DEPTH_BITS,
+                        24,
+                        OSMESA_STENCIL_BITS,
+                        8,
+                        OSMESA_PROFILE,
+                        OSMESA_CORE_PROFILE,
+                        OSMESA_CONTEXT_MAJOR_VERSION,
+                        3,
+                        OSMESA_CONTEXT_MINOR_VERSION,
+                        2,
                         0};
   context_ = OSMesaCreateContextAttribs(wanted, nullptr);
   if (!context_)

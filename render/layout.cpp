@@ -27,58 +27,62 @@ struct Row {
   }
 };
 
+// Beside the tank: colours, ticks and labels under a title. Below it: title, colours, labels. Sizes in font heights.
+struct BarRoom {
+  double across = 0, up = 0;
+  BarRoom(const Needs& needs, bool upright) {
+    if (needs.bar_labels <= 0) return;
+    if (upright)
+      across = 1.2 + std::max(needs.bar_title, 1.7 + needs.bar_labels);
+    else
+      up = 4.6;
+  }
+};
+
+Box upright_bar(const Box& view, double f) {
+  const double title = 3 * f, below = 1.5 * f;  // the title stands on the upper triangle, which takes a line as well
+  const double height = std::max(std::min(view.height, 24 * f) - title - below, 5 * f);
+  return {view.right() + 1.2 * f, view.y + (view.height - height - title - below) / 2 + below, 0.9 * f, height};
+}
+
 Layout lay_out(const Needs& needs, bool upright) {
   Layout out;
-  out.font = font_height(needs.width, needs.height);
-  out.line = std::max(1.0, std::round(out.font / 10));
+  const double f = out.font = font_height(needs.width, needs.height);
+  out.line = std::max(1.0, std::round(f / 10));
   out.bar_upright = upright;
-  const double f = out.font;
-  const bool bar = needs.bar_labels > 0;
-  const double pad = 1.4 * f, gap = 0.8 * f;
-  const double room_x = needs.width - 2 * pad, room_y = needs.height - 2 * pad;
+  const BarRoom bar(needs, upright);
+  const double pad = 1.4 * f, room_x = needs.width - 2 * pad, room_y = needs.height - 2 * pad;
+  const double room_view_x = room_x - bar.across * f;
 
-  // Beside the tank: colours, ticks and labels under a title. Below it: title, colours, labels.
-  const double bar_column = bar && upright ? 1.2 * f + std::max(needs.bar_title, 1.7 + needs.bar_labels) * f : 0;
-  const double bar_row = bar && !upright ? 4.6 * f : 0;
-
-  // The ruler's length depends on the scale and the scale on the rows' heights: the ruler is at most a fifth of the view.
+  // The ruler's length depends on the scale and the scale on the rows' heights: what it can be at most is reserved.
   const double ruler_label = needs.ruler > 0 ? (needs.ruler_label + 0.6) * f : 0;
-  const double longest_ruler = needs.ruler > 0 ? needs.ruler / needs.view_width * (room_x - bar_column) + ruler_label : 0;
+  const double longest_ruler = needs.ruler / needs.view_width * room_view_x + ruler_label;
   Row top{needs.caption * f, needs.clock * f, room_x, f}, bottom{longest_ruler, needs.key * f, room_x, f};
-  const double room_view_y = room_y - top.height() - bottom.height() - bar_row;
-  out.scale = std::min((room_x - bar_column) / needs.view_width, room_view_y / needs.view_height);
-
+  const double rows = top.height() + bottom.height() + bar.up * f;
+  out.scale = std::min(room_view_x / needs.view_width, (room_y - rows) / needs.view_height);
   out.view.width = needs.view_width * out.scale;
   out.view.height = needs.view_height * out.scale;
-  const double block_width = out.view.width + bar_column;
-  const double block_height = out.view.height + top.height() + bottom.height() + bar_row;
-  double x = pad + (room_x - block_width) / 2;
-  double y = pad + (room_y + block_height) / 2;
+
+  const double block = out.view.width + bar.across * f;
+  const double top_edge = pad + (room_y + out.view.height + rows) / 2;
+  out.view.x = pad + (room_x - block) / 2;
+  out.view.y = top_edge - top.height() - out.view.height;
 
   // Rows are as wide as the tank with its bar; wider where their texts need it and the picture has room.
-  const auto spread = [&](Row& row) {
-    row.room = std::min(room_x, std::max(block_width, row.left + row.gap() + row.right));
+  const auto left_edge = [&](Row& row) {
+    row.room = std::min(room_x, std::max(block, row.left + row.gap() + row.right));
     return pad + (room_x - row.room) / 2;
   };
-  const double top_x = spread(top);
-  top.place(top_x, y, out.caption, out.clock);
-  y -= top.height();
-  out.view.x = x;
-  out.view.y = y - out.view.height;
-  if (bar && upright) {
-    const double title = 3 * f, below = 1.5 * f;  // the title stands on the upper triangle, which takes a line as well
-    const double height = std::max(std::min(out.view.height, 24 * f) - title - below, 5 * f);
-    out.bar = {out.view.right() + 1.2 * f, out.view.y + (out.view.height - height - title - below) / 2 + below, 0.9 * f, height};
-  }
-  y = out.view.y - 0.5 * f;
-  const double ruler = needs.ruler * out.scale + ruler_label;
-  bottom.left = needs.ruler > 0 ? ruler : 0;
-  const double bottom_x = spread(bottom);
-  bottom.place(bottom_x, y, out.ruler, out.key);
-  y = out.view.y - bottom.height();
-  if (bar && !upright) {
+  const double top_x = left_edge(top);
+  top.place(top_x, top_edge, out.caption, out.clock);
+  const double bottom_height = bottom.height();
+  bottom.left = needs.ruler * out.scale + ruler_label;
+  const double bottom_x = left_edge(bottom);
+  bottom.place(bottom_x, out.view.y - 0.5 * f, out.ruler, out.key);
+  if (bar.across > 0) out.bar = upright_bar(out.view, f);
+  if (bar.up > 0) {
     const double width = std::min(room_x - 2 * (needs.bar_labels + 1.3) * f, 36 * f);
-    out.bar = {x + (block_width - width) / 2, y - gap - 2.2 * f, width, 0.9 * f};
+    out.bar = {(needs.width - width) / 2, out.view.y - bottom_height - 3 * f, width, 0.9 * f};
   }
   return out;
 }

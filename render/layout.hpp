@@ -11,10 +11,10 @@ struct Box {
 
 /// What has to find its place. Widths of texts are in font heights; 0 leaves the item out.
 struct Needs {
-  int width = 0, height = 0;                    ///< of the picture [pixels]
-  double view_width = 0, view_height = 0;       ///< of what the camera must show [m]
+  int width = 0, height = 0;               ///< of the picture [pixels]
+  double view_width = 0, view_height = 0;  ///< of what the camera must show [m]
   double caption = 0, clock = 0, key = 0;
-  double ruler = 0, ruler_label = 0;            ///< the ruler's length [m]
+  double ruler = 0, ruler_label = 0;  ///< the ruler's length as the camera sees it [m]
   double bar_labels = 0, bar_title = 0;
 };
 
@@ -25,7 +25,7 @@ struct Layout {
   double scale = 0;  ///< [pixels/m]
   Box view;          ///< what the camera must show
   Box caption, clock, ruler, key;
-  Box bar;           ///< the colours alone, without the triangles at the ends
+  Box bar;  ///< the colours alone, without the triangles at the ends
   bool bar_upright = true;
 };
 

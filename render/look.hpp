@@ -6,18 +6,18 @@ namespace seiche::render {
 
 /// How a picture looks. Every member is a scene key of [look] or [output].
 struct Look {
-  int width = 1280, height = 720;          ///< [pixels]
-  std::string colour_map = "viridis";      ///< viridis | cividis | cool-warm | turbo
-  std::string background = "white";        ///< white | black | transparent
-  std::string style = "disc";              ///< disc: edged discs that fill the spacing | dot: small plain ones
-  std::string view = "tank";               ///< tank: the tank stands still | lab: the tank moves
-  std::string range = "scene";             ///< scene | frame | run | "min,max" [Pa]
+  int width = 1280, height = 720;      ///< [pixels]
+  std::string colour_map = "viridis";  ///< viridis | cividis | cool-warm | turbo
+  std::string background = "white";    ///< white | black | transparent
+  std::string style = "disc";          ///< disc: edged discs that fill the spacing | dot: small plain ones
+  std::string view = "tank";           ///< tank: the tank stands still | lab: the tank moves
+  std::string range = "scene";         ///< scene | frame | run | "min,max" [Pa]
   bool show_walls = true;
-  bool show_surface = true;                ///< mark free-surface particles
-  bool show_tank = true;                   ///< the tank's outline
-  bool show_bar = true;                    ///< the scalar bar
+  bool show_surface = true;  ///< mark free-surface particles
+  bool show_tank = true;     ///< the tank's outline
+  bool show_bar = true;      ///< the scalar bar
   bool show_clock = true;
-  bool show_caption = true;                ///< kernel, spacing, scene
+  bool show_caption = true;  ///< kernel, spacing, scene
   bool show_ruler = true;
 };
 

@@ -41,8 +41,9 @@ class Movie : public ImageSink {
     if (!ffmpeg_->finish()) fail();
     ffmpeg_.reset();
     if (!codec_.remux) return;
-    ffmpeg_.emplace(std::vector<std::string>{"ffmpeg", "-v", "error", "-y", "-i", "file:" + file_.string(), "-c", "copy", "-fflags",
-                                             "+bitexact", "-movflags", "+faststart", "file:" + partial_name(file_).string()});
+    ffmpeg_.emplace(std::vector<std::string>{"ffmpeg", "-v", "error", "-y", "-i", "file:" + file_.string(), "-c",
+                                             "copy", "-fflags", "+bitexact", "-movflags", "+faststart",
+                                             "file:" + partial_name(file_).string()});
     if (!ffmpeg_->finish()) fail();
     ffmpeg_.reset();
     publish(file_);
@@ -52,20 +53,32 @@ class Movie : public ImageSink {
   void start(const Image& image) {
     partial_name(file_);  // makes the folder
     const double rate = 1 / run_.frame_interval;
-    std::vector<std::string> arguments{"ffmpeg", "-v", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgb24",
-                                       "-video_size", fmt::format("{}x{}", image.width, image.height),
-                                       "-framerate", fmt::format("{:.9g}", rate), "-i", "pipe:0"};
+    std::vector<std::string> arguments{"ffmpeg",
+                                       "-v",
+                                       "error",
+                                       "-y",
+                                       "-f",
+                                       "rawvideo",
+                                       "-pixel_format",
+                                       "rgb24",
+                                       "-video_size",
+                                       fmt::format("{}x{}", image.width, image.height),
+                                       "-framerate",
+                                       fmt::format("{:.9g}", rate),
+                                       "-i",
+                                       "pipe:0"};
     arguments.insert(arguments.end(), codec_.options.begin(), codec_.options.end());
-    // bitexact: no version and no random number of ffmpeg's in the file. flush_packets: what is encoded is in the file at
-    // once, and not in a buffer that a kill -9 would take along.
+    // bitexact: no version and no random number of ffmpeg's in the file. flush_packets: what is encoded is in the file
+    // at once, and not in a buffer that a kill -9 would take along.
     const auto second = std::max(1L, std::lround(rate));
-    for (const auto& word : {std::string("-g"), fmt::format("{}", second), std::string("-fflags"), std::string("+bitexact"),
-                             std::string("-flags:v"), std::string("+bitexact"), std::string("-flush_packets"), std::string("1")})
+    for (const auto& word :
+         {std::string("-g"), fmt::format("{}", second), std::string("-fflags"), std::string("+bitexact"),
+          std::string("-flags:v"), std::string("+bitexact"), std::string("-flush_packets"), std::string("1")})
       arguments.push_back(word);
     std::string comment;
     for (const auto& [keyword, value] : provenance(run_)) comment += fmt::format("{}: {}\n", keyword, value);
-    for (const auto& word : {std::string("-metadata"), "title=" + run_.name, std::string("-metadata"), "comment=" + comment,
-                             "file:" + file_.string()})
+    for (const auto& word : {std::string("-metadata"), "title=" + run_.name, std::string("-metadata"),
+                             "comment=" + comment, "file:" + file_.string()})
       arguments.push_back(word);
     ffmpeg_.emplace(arguments);
   }
@@ -74,8 +87,8 @@ class Movie : public ImageSink {
     ffmpeg_->finish();
     const std::string why = ffmpeg_->errors();
     ffmpeg_.reset();
-    throw std::runtime_error(fmt::format("ffmpeg stopped while writing {}: {}", file_.string(),
-                                         why.empty() ? "it was killed" : why));
+    throw std::runtime_error(
+        fmt::format("ffmpeg stopped while writing {}: {}", file_.string(), why.empty() ? "it was killed" : why));
   }
 
   std::filesystem::path file_;

@@ -9,7 +9,8 @@
 #include "render/look.hpp"
 #include "solver/frame.hpp"
 
-// What the program uses of render: checks to make before a run, and sinks to hand frames to. VTK stays in the .cpp files.
+// What the program uses of render: checks to make before a run, and sinks to hand frames to. VTK stays in the .cpp
+// files.
 namespace seiche::render {
 
 /// No OpenGL: says which Debian package to install. The program exits with 4.
@@ -29,7 +30,8 @@ std::string gl_description();
 /// Version of VTK, as in "9.1.0".
 std::string vtk_version();
 
-/// First line of `ffmpeg -version`, and which of the encoders that Seiche uses (libx264, libvpx-vp9, gif) it has. Throws NoEncoder.
+/// First line of `ffmpeg -version`, and which of the encoders that Seiche uses (libx264, libvpx-vp9, gif) it has.
+/// Throws NoEncoder.
 struct Ffmpeg {
   std::string version;
   std::vector<std::string> encoders;
@@ -49,7 +51,8 @@ class ImageSink {
   virtual void end() = 0;
 };
 
-/// folder/000123.png, numbered by Frame::index, with provenance (version, scene, hash, time, step, parameters) in text chunks.
+/// folder/000123.png, numbered by Frame::index, with provenance (version, scene, hash, time, step, parameters) in text
+/// chunks.
 std::unique_ptr<ImageSink> png_series(const std::filesystem::path& folder);
 
 /// A movie streamed to the ffmpeg program while the run goes on; by ending: .mp4 (H.264), .webm (VP9), .gif.

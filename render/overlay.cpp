@@ -49,8 +49,7 @@ Overlay::Overlay(vtkRenderer* renderer)
 
 void Overlay::polygon(const std::vector<std::array<double, 2>>& corners, Rgb colour) {
   cells_->InsertNextCell(static_cast<int>(corners.size()));
-  for (const auto& [x, y] : corners)
-    cells_->InsertCellPoint(points_->InsertNextPoint(sharpness * x, sharpness * y, 0));
+  for (const auto& [x, y] : corners) cells_->InsertCellPoint(points_->InsertNextPoint(sharpness * x, sharpness * y, 0));
   colours_->InsertNextTypedTuple(colour.data());
 }
 

@@ -22,12 +22,12 @@ namespace seiche::render {
 namespace {
 
 struct Palette {
-  Rgb paper, ink, outline;
+  Rgb paper, ink, outline, shade;
 };
 
 Palette palette(const std::string& background) {
-  if (background == "black") return {{0, 0, 0}, {232, 232, 232}, {214, 214, 214}};
-  return {{255, 255, 255}, {34, 34, 34}, {64, 64, 64}};
+  if (background == "black") return {{0, 0, 0}, {232, 232, 232}, {214, 214, 214}, {30, 31, 33}};
+  return {{255, 255, 255}, {34, 34, 34}, {64, 64, 64}, {240, 241, 243}};
 }
 
 // Everything that any frame may show: the tank with the layers of its wall, and in the lab's view where it sways to.
@@ -76,19 +76,20 @@ struct Painter::Stage {
   std::optional<Particles> particles;
   std::optional<Overlay> overlay;
   std::optional<ScalarBar> bar;
-  vtkSmartPointer<vtkActor> tank;
+  std::vector<vtkSmartPointer<vtkActor>> tank;
   vtkTextActor* clock = nullptr;  // owned by the overlay
   PixelReader pixels;
 
   Stage(const RunInfo& run, const Look& look, const Frame& first);
   void key(const RunInfo& run, const Look& look, const Box& place, double font, Rgb ink);
-  void ruler(const Box& place, double length, double scale, double line, Rgb ink);
+  void ruler(const Box& place, const std::string& label, double length, double line, Rgb ink);
 };
 
 Painter::Stage::Stage(const RunInfo& run, const Look& look, const Frame& first) {
   const Palette colours = palette(look.background);
   const View view(run.dimension, room_of(run, look, first));
-  const double ruler_length = round_below(0.2 * view.width());
+  const double ruler_length = round_below(0.25 * view.width());
+  const double drawn_ruler = ruler_length * view.foreshortening();
 
   Needs needs;
   needs.width = look.width;
@@ -99,14 +100,15 @@ Painter::Stage::Stage(const RunInfo& run, const Look& look, const Frame& first) 
   if (look.show_clock) needs.clock = text_width(clock_text(-std::max(run.end, 1.0)));
   if (look.show_surface) needs.key += 1 + text_width("free surface");
   if (look.show_walls && run.dimension == 2) needs.key += (needs.key > 0 ? 1.2 : 0) + 1 + text_width("wall");
-  if (look.show_ruler) needs.ruler = ruler_length, needs.ruler_label = text_width(metres(ruler_length));
+  if (look.show_ruler) needs.ruler = drawn_ruler, needs.ruler_label = text_width(metres(ruler_length));
   if (look.show_bar) {
     const Range range = parse_range(look.range).value_or(scene_range(run));
     needs.bar_labels = ScalarBar::label_width(range);
     needs.bar_title = text_width(ScalarBar::title);
   }
   const Layout layout = lay_out(needs);
-  if (!(layout.scale > 0)) throw std::invalid_argument(fmt::format("a picture of {} x {} pixels is too small", look.width, look.height));
+  if (!(layout.scale > 0))
+    throw std::invalid_argument(fmt::format("a picture of {} x {} pixels is too small", look.width, look.height));
 
   window = make_window(sharpness * look.width, sharpness * look.height);
   window->SetAlphaBitPlanes(1);
@@ -120,8 +122,9 @@ Painter::Stage::Stage(const RunInfo& run, const Look& look, const Frame& first) 
   view.aim(renderer, layout, look.width, look.height);
 
   if (look.show_tank) {
-    tank = tank_outline(run, layout.line / layout.scale, colours.outline);
-    renderer->AddActor(tank);
+    tank.push_back(tank_outline(run, layout.line / layout.scale, colours.outline));
+    if (run.dimension == 3) tank.push_back(tank_back(run, colours.shade));
+    for (const auto& part : tank) renderer->AddActor(part);
   }
   particles.emplace(renderer, run, look, layout.scale, std::max(1.2, 0.08 * layout.font));
   overlay.emplace(renderer);
@@ -130,18 +133,19 @@ Painter::Stage::Stage(const RunInfo& run, const Look& look, const Frame& first) 
     const double x = align == Align::left ? place.x : place.right();
     return overlay->text(text, x, place.y + place.height / 2, layout.font, align, colours.ink);
   };
-  if (look.show_caption) words(shortened(caption_text(run), layout.caption.width / layout.font), layout.caption, Align::left);
+  if (look.show_caption)
+    words(shortened(caption_text(run), layout.caption.width / layout.font), layout.caption, Align::left);
   if (look.show_clock) clock = words("", layout.clock, Align::right);
-  if (look.show_ruler) ruler(layout.ruler, ruler_length, layout.scale, layout.line, colours.ink);
+  if (look.show_ruler) ruler(layout.ruler, metres(ruler_length), drawn_ruler * layout.scale, layout.line, colours.ink);
   key(run, look, layout.key, layout.font, colours.ink);
 }
 
-void Painter::Stage::ruler(const Box& place, double length, double scale, double line, Rgb ink) {
-  const double middle = place.y + place.height / 2, end = length * scale, f = place.height;
-  overlay->box({place.x, middle - line / 2, end, line}, ink);
-  overlay->box({place.x, middle - 0.3 * f, line, 0.6 * f}, ink);
-  overlay->box({place.x + end - line, middle - 0.3 * f, line, 0.6 * f}, ink);
-  overlay->text(metres(length), place.x + end + 0.6 * f, middle, f, Align::left, ink);
+void Painter::Stage::ruler(const Box& place, const std::string& label, double length, double line, Rgb ink) {
+  const double middle = place.y + place.height / 2, font = place.height;
+  overlay->box({place.x, middle - line / 2, length, line}, ink);
+  overlay->box({place.x, middle - 0.3 * font, line, 0.6 * font}, ink);
+  overlay->box({place.x + length - line, middle - 0.3 * font, line, 0.6 * font}, ink);
+  overlay->text(label, place.x + length + 0.6 * font, middle, font, Align::left, ink);
 }
 
 void Painter::Stage::key(const RunInfo& run, const Look& look, const Box& place, double font, Rgb ink) {
@@ -163,10 +167,10 @@ Image Painter::draw(const Frame& frame, Range range) {
   if (!stage_) stage_ = std::make_unique<Stage>(run_, look_, frame);
   Double3 shift = look_.view == "lab" ? frame.pose.displacement : Double3{};
   stage_->particles->show(frame, range, shift);
-  if (stage_->tank) {
+  for (const auto& part : stage_->tank) {
     Double3 at = shift;
     if (run_.dimension == 2) at[2] = 0.5 * Particles::layer_height(run_);  // over the liquid, under the marks
-    stage_->tank->SetPosition(at.data());
+    part->SetPosition(at.data());
   }
   if (stage_->bar) stage_->bar->show(range, fluid_range(frame));
   if (stage_->clock) stage_->clock->SetInput(clock_text(frame.time).c_str());

@@ -64,12 +64,12 @@ struct Particles::Layer {
 namespace {
 
 struct Disc {
-  double radius = 0;    // [m]; of a square, half its side
-  double hole = 0;      // of a ring, as part of the radius
-  double edge = 1;      // where the darker edge begins, as part of the radius
-  double shade = 0;     // how much darker it is
-  double relief = 1e-3; // height of the cone, in depths of the picture
-  double layer = 0;     // discs of a greater layer cover those of a smaller one
+  double radius = 0;     // [m]; of a square, half its side
+  double hole = 0;       // of a ring, as part of the radius
+  double edge = 1;       // where the darker edge begins, as part of the radius
+  double shade = 0;      // how much darker it is
+  double relief = 1e-3;  // height of the cone, in depths of the picture
+  double layer = 0;      // discs of a greater layer cover those of a smaller one
   bool square = false;
 };
 
@@ -87,7 +87,8 @@ vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(const Disc& disc) {
       "gl_FragDepth = gl_FragCoord.z + {:.6f} * r;\n"
       "float shade = 1.0 - {:.4f} * smoothstep({:.4f}, {:.4f}, r);\n"
       "ambientColor *= shade; diffuseColor *= shade;\n",
-      disc.square ? "max(at.x, at.y)" : "length(at)", disc.hole, disc.relief, disc.shade, disc.edge, 0.5 * (1 + disc.edge));
+      disc.square ? "max(at.x, at.y)" : "length(at)", disc.hole, disc.relief, disc.shade, disc.edge,
+      0.5 * (1 + disc.edge));
   mapper->SetSplatShaderCode(shader.c_str());
   return mapper;
 }
@@ -97,12 +98,12 @@ vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(const Disc& disc) {
 Particles::Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke)
     : map_(look.colour_map) {
   if (run.dimension == 3)
-    make_spheres(renderer, run, look);
+    make_spheres(renderer, run, look, scale, stroke);
   else
     make_discs(renderer, run, look, scale, stroke);
 }
 
-void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Look& look) {
+void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke) {
   const double radius = run.spacing * (look.style == "dot" ? 0.28 : 0.5);
   vtkNew<vtkOpenGLSphereMapper> mapper;
   mapper->SetRadius(static_cast<float>(radius));
@@ -114,7 +115,8 @@ void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Lo
   property->SetSpecularPower(20);
   if (look.show_surface) {
     // A small ring on each sphere, towards the camera.
-    surface_ = std::make_unique<Layer>(renderer, disc_mapper({.radius = 0.5 * radius, .hole = 0.5, .relief = 0}));
+    const double size = std::max(0.5 * radius, stroke / scale);
+    surface_ = std::make_unique<Layer>(renderer, disc_mapper({.radius = size, .hole = 0.5, .relief = 0}));
     surface_->actor->GetProperty()->LightingOff();
     const double step = 1.1 * radius / std::sqrt(3.0);
     surface_->actor->SetPosition(step, step, step);
@@ -129,8 +131,8 @@ void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look
     layer->actor->SetPosition(0, 0, disc.layer * layer_height(run));
     return layer;
   };
-  // Large discs stand apart; small ones close up, lest the gaps of a lattice make moire. All are rimmed but the smallest,
-  // so that each particle can be seen.
+  // Large discs stand apart; small ones close up, lest the gaps of a lattice make moire. All are rimmed but the
+  // smallest, so that each particle can be seen.
   const double pixels = run.spacing * scale;
   const double closed = dots ? 0 : std::clamp((16 - pixels) / 6, 0.0, 1.0);
   const double shade = dots ? 0 : 0.28 * std::clamp((pixels - 2) / 4, 0.0, 1.0);

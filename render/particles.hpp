@@ -28,7 +28,7 @@ class Particles {
 
  private:
   struct Layer;
-  void make_spheres(vtkRenderer* renderer, const RunInfo& run, const Look& look);
+  void make_spheres(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke);
   void make_discs(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke);
 
   ColourMap map_;

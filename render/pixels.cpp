@@ -25,7 +25,8 @@ void average_row(const std::uint8_t* rows, int wide, int count, std::uint8_t* ou
     std::array<unsigned, 4> sum{};
     for (int dy = 0; dy < sharpness; ++dy)
       for (int dx = 0; dx < sharpness; ++dx)
-        for (std::size_t c = 0; c < 4; ++c) sum[c] += rows[4L * (dy * wide + x * sharpness + dx) + static_cast<long>(c)];
+        for (std::size_t c = 0; c < 4; ++c)
+          sum[c] += rows[4L * (dy * wide + x * sharpness + dx) + static_cast<long>(c)];
     if (sum[3] == 255 * parts)
       for (std::size_t c = 0; c < 4; ++c) out[c] = static_cast<std::uint8_t>((sum[c] + parts / 2) / parts);
     else

@@ -37,8 +37,8 @@ std::string encode(const Image& image, const std::vector<std::pair<std::string, 
   // Large flat areas: one simple filter and the least effort make files nearly as small, several times sooner.
   png_set_filter(writer.png, 0, PNG_FILTER_UP);
   png_set_compression_level(writer.png, 1);
-  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-               opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+               8, opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                PNG_FILTER_TYPE_DEFAULT);
   std::vector<png_text> chunks;
   for (const auto& [keyword, value] : text) {
@@ -52,8 +52,7 @@ std::string encode(const Image& image, const std::vector<std::pair<std::string, 
   png_set_text(writer.png, writer.info, chunks.data(), static_cast<int>(chunks.size()));
   png_write_info(writer.png, writer.info);
   if (opaque) png_set_filler(writer.png, 0, PNG_FILLER_AFTER);
-  for (int y = 0; y < image.height; ++y)
-    png_write_row(writer.png, image.rgba.data() + 4L * image.width * y);
+  for (int y = 0; y < image.height; ++y) png_write_row(writer.png, image.rgba.data() + 4L * image.width * y);
   png_write_end(writer.png, writer.info);
   return bytes;
 }
@@ -80,6 +79,8 @@ void write_png(const std::filesystem::path& file, const Image& image,
   write_file(file, encode(image, text));
 }
 
-std::unique_ptr<ImageSink> png_series(const std::filesystem::path& folder) { return std::make_unique<PngSeries>(folder); }
+std::unique_ptr<ImageSink> png_series(const std::filesystem::path& folder) {
+  return std::make_unique<PngSeries>(folder);
+}
 
 }  // namespace seiche::render

@@ -9,8 +9,8 @@ namespace seiche::render {
 
 using Notes = std::vector<std::pair<std::string, std::string>>;
 
-/// Where a run's outputs come from: Software, Title, Scene hash, Parameters. No wall clock, so that the same scene gives
-/// the same files.
+/// Where a run's outputs come from: Software, Title, Scene hash, Parameters. No wall clock, so that the same scene
+/// gives the same files.
 Notes provenance(const RunInfo& run);
 
 /// The same for one frame of it: adds Time and Step.

@@ -14,7 +14,8 @@ double power_of_ten_below(double x) { return std::pow(10.0, std::floor(std::log1
 
 constexpr int most_steps = 8;
 
-// The smallest round step that cuts the range into at most eight parts; rather one, if there is, that meets both its ends.
+// The smallest round step that cuts the range into at most eight parts; rather one, if there is, that meets both its
+// ends.
 double round_step(Range range) {
   const double least = (range.high - range.low) / most_steps;
   const double base = power_of_ten_below(least);

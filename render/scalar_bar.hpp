@@ -7,8 +7,8 @@
 
 namespace seiche::render {
 
-/// The colours of a range under the title "pressure [Pa]", with round ticks, and at the ends triangles that stand for all
-/// values beyond it. How far a frame goes beyond is written beside them.
+/// The colours of a range under the title "pressure [Pa]", with round ticks, and at the ends triangles that stand for
+/// all values beyond it. How far a frame goes beyond is written beside them.
 class ScalarBar {
  public:
   ScalarBar(vtkRenderer* renderer, const Layout& layout, const ColourMap& map, Rgb ink);

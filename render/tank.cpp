@@ -47,6 +47,11 @@ void edges_3d(const RunInfo& run, vtkPolyData* shape) {
   shape->SetLines(cells);
 }
 
+void set_colour(vtkActor* actor, Rgb colour) {
+  actor->GetProperty()->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
+  actor->GetProperty()->LightingOff();
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkActor> tank_outline(const RunInfo& run, double line, Rgb colour) {
@@ -66,8 +71,29 @@ vtkSmartPointer<vtkActor> tank_outline(const RunInfo& run, double line, Rgb colo
   }
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
-  actor->GetProperty()->LightingOff();
+  set_colour(actor, colour);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> tank_back(const RunInfo& run, Rgb colour) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  const auto [length, height, width] = run.tank;
+  const double faces[][4][3] = {{{0, 0, 0}, {length, 0, 0}, {length, 0, width}, {0, 0, width}},
+                                {{0, 0, 0}, {0, height, 0}, {0, height, width}, {0, 0, width}},
+                                {{0, 0, 0}, {length, 0, 0}, {length, height, 0}, {0, height, 0}}};
+  for (const auto& face : faces) {
+    cells->InsertNextCell(4);
+    for (const auto& corner : face) cells->InsertCellPoint(points->InsertNextPoint(corner));
+  }
+  vtkNew<vtkPolyData> shape;
+  shape->SetPoints(points);
+  shape->SetPolys(cells);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(shape);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  set_colour(actor, colour);
   return actor;
 }
 

@@ -1,3 +1,5 @@
+#include "render/vtu.hpp"
+
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -18,7 +20,6 @@
 #include <stdexcept>
 
 #include "render/file.hpp"
-#include "render/vtu.hpp"
 
 namespace seiche::render {
 namespace {

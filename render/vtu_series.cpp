@@ -33,7 +33,8 @@ class VtuSeries : public Sink {
     write_vtu(folder_ / name, *frame, provenance(run_, *frame));
     const std::string time = fmt::format("{:.9g}", frame->time);
     pvd_ += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time, escaped(name, false));
-    series_ += fmt::format("{}\n    {{\"name\": \"{}\", \"time\": {}}}", series_.empty() ? "" : ",", escaped(name, true), time);
+    series_ += fmt::format("{}\n    {{\"name\": \"{}\", \"time\": {}}}", series_.empty() ? "" : ",",
+                           escaped(name, true), time);
     write_lists();
   }
 
@@ -44,7 +45,8 @@ class VtuSeries : public Sink {
   void write_lists() const {
     write_file(folder_ / (run_.name + ".pvd"),
                "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-               "  <Collection>\n" + pvd_ + "  </Collection>\n</VTKFile>\n");
+               "  <Collection>\n" +
+                   pvd_ + "  </Collection>\n</VTKFile>\n");
     write_file(folder_ / (run_.name + ".vtu.series"),
                "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [" + series_ + "\n  ]\n}\n");
   }

@@ -2,10 +2,9 @@
 
 // GLEW before anything else of OpenGL.
 #include <GL/glew.h>
-
 #include <fmt/format.h>
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkVersion.h>
 
 #include <cstdlib>
@@ -48,16 +47,15 @@ class OsmesaWindow : public vtkOpenGLRenderWindow {
     if (Initialized) return;
     glewExperimental = GL_TRUE;
     glewInit();
-    if (!GLEW_VERSION_3_2) throw NoGl("OpenGL 3.2 is missing; install Debian's packages libosmesa6 and libgl1-mesa-dri");
+    if (!GLEW_VERSION_3_2)
+      throw NoGl("OpenGL 3.2 is missing; install Debian's packages libosmesa6 and libgl1-mesa-dri");
     GlewInitValid = true;
     Initialized = true;
   }
 
  protected:
   OsmesaWindow() = default;
-  ~OsmesaWindow() override {
-    Finalize();
-  }
+  ~OsmesaWindow() override { Finalize(); }
 
   void CreateAWindow() override {
     context_ = std::make_unique<gl::Context>();

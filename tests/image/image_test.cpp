@@ -8,7 +8,8 @@
 #include "tests/unit/render/read_png.hpp"
 #include "tests/unit/render/synthetic.hpp"
 
-// Pictures against baselines. To take a picture over as the new baseline, look at it and copy it to tests/image/baseline.
+// Pictures against baselines. To take a picture over as the new baseline, look at it and copy it to
+// tests/image/baseline.
 using namespace seiche;
 using namespace seiche::render;
 
@@ -61,7 +62,9 @@ TEST(Baseline, Transparent) {
 }
 
 TEST(Baseline, StillTank3d) {
-  expect_baseline("still-tank-3d", draw(sized(640, 360), {.length = 0.2, .height = 0.2, .width = 0.1, .depth = 0.1, .spacing = 0.01}, 0));
+  expect_baseline(
+      "still-tank-3d",
+      draw(sized(640, 360), {.length = 0.2, .height = 0.2, .width = 0.1, .depth = 0.1, .spacing = 0.01}, 0));
 }
 
 TEST(Similarity, OfAPictureWithItselfIsOne) {
@@ -80,7 +83,8 @@ TEST(Similarity, OverlooksOneStepOfColour) {
 }
 
 TEST(Similarity, SeesAnotherSurface) {
-  EXPECT_LT(test::similarity(draw(sized(640, 360), sloshing, 0.2), draw(sized(640, 360), sloshing, 0.15)).mean, least_mean);
+  EXPECT_LT(test::similarity(draw(sized(640, 360), sloshing, 0.2), draw(sized(640, 360), sloshing, 0.15)).mean,
+            least_mean);
 }
 
 TEST(Similarity, SeesAnotherColourMap) {

@@ -25,7 +25,8 @@ std::map<std::string, std::string> probe(const std::filesystem::path& file) {
   const std::string command =
       "ffprobe -v error -count_frames -select_streams v:0 -show_entries "
       "stream=codec_name,width,height,pix_fmt,nb_read_frames,r_frame_rate:format=duration:format_tags "
-      "-of default=noprint_wrappers=1 '" + file.string() + "' 2>/dev/null";
+      "-of default=noprint_wrappers=1 '" +
+      file.string() + "' 2>/dev/null";
   std::map<std::string, std::string> found;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(popen(command.c_str(), "r"), pclose);
   char line[4096];

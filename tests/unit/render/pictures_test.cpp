@@ -111,7 +111,8 @@ TEST(Pictures, HaveTheSizeAndTheBackground) {
 
 TEST(Pictures, SameFrameSameBytes) {
   const auto frame = test::lattice(box, 0.1, 3);
-  EXPECT_EQ(draw(small(), {frame}).images.at(0).rgba, draw(small(), {test::lattice(box, 0, 1), frame}).images.at(1).rgba)
+  EXPECT_EQ(draw(small(), {frame}).images.at(0).rgba,
+            draw(small(), {test::lattice(box, 0, 1), frame}).images.at(1).rgba)
       << "a picture doesn't depend on the one before";
 }
 

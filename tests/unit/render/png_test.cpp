@@ -20,7 +20,8 @@ Image pattern(std::uint8_t alpha) {
   Image image{5, 3, {}};
   for (int i = 0; i < 15; ++i) {
     const auto value = static_cast<std::uint8_t>(17 * i);
-    image.rgba.insert(image.rgba.end(), {value, static_cast<std::uint8_t>(255 - value), 90, i == 7 ? alpha : std::uint8_t{255}});
+    image.rgba.insert(image.rgba.end(),
+                      {value, static_cast<std::uint8_t>(255 - value), 90, i == 7 ? alpha : std::uint8_t{255}});
   }
   return image;
 }

@@ -33,8 +33,8 @@ inline RunInfo run_info(const Box& box) {
   return run;
 }
 
-/// A lattice of fluid up to a sloping surface, with hydrostatic pressure below it, inside of one layer of wall particles
-/// and two of dummies. `slope`: rise of the surface along the tank [-].
+/// A lattice of fluid up to a sloping surface, with hydrostatic pressure below it, inside of one layer of wall
+/// particles and two of dummies. `slope`: rise of the surface along the tank [-].
 inline FramePtr lattice(const Box& box, double slope, long index = 0) {
   auto frame = std::make_shared<Frame>();
   const double l0 = box.spacing;

@@ -56,7 +56,8 @@ std::vector<Listed> listed_in_pvd(const std::filesystem::path& file) {
 
 std::vector<Listed> listed_in_series(const std::filesystem::path& file) {
   std::vector<Listed> all;
-  for (const auto& entry : nlohmann::json::parse(bytes_of(file)).at("files")) all.push_back({entry.at("time"), entry.at("name")});
+  const auto series = nlohmann::json::parse(bytes_of(file));
+  for (const auto& entry : series.at("files")) all.push_back({entry.at("time"), entry.at("name")});
   return all;
 }
 
@@ -94,7 +95,9 @@ TEST(Vtu, VtkReadsBackEveryArray) {
   vtkFieldData* fields = grid->GetFieldData();
   EXPECT_DOUBLE_EQ(fields->GetArray("TimeValue")->GetComponent(0, 0), frame->time);
   EXPECT_DOUBLE_EQ(fields->GetArray("tank_displacement")->GetComponent(0, 0), frame->pose.displacement[0]);
-  const auto text = [&](const char* name) { return vtkStringArray::SafeDownCast(fields->GetAbstractArray(name))->GetValue(0); };
+  const auto text = [&](const char* name) {
+    return vtkStringArray::SafeDownCast(fields->GetAbstractArray(name))->GetValue(0);
+  };
   EXPECT_EQ(text("software"), "Seiche 0.1.0");
   EXPECT_EQ(text("scene_hash"), "0123456789abcdef");
   EXPECT_EQ(text("parameters"), "preset = \"stabilised\"\n");
@@ -118,7 +121,8 @@ TEST(Vtu, ListsAreWholeAfterEveryFrame) {
   sink->begin(run);
   for (long index = 0; index < 3; ++index) {
     sink->frame(test::lattice(box, 0, index));
-    for (const auto& all : {listed_in_pvd(scratch / "a & \"b\".pvd"), listed_in_series(scratch / "a & \"b\".vtu.series")}) {
+    for (const auto& all :
+         {listed_in_pvd(scratch / "a & \"b\".pvd"), listed_in_series(scratch / "a & \"b\".vtu.series")}) {
       ASSERT_EQ(all.size(), static_cast<std::size_t>(index) + 1);
       for (std::size_t i = 0; i < all.size(); ++i) {
         EXPECT_NEAR(all[i].time, 0.02 * static_cast<double>(i), 1e-12);
