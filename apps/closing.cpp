@@ -10,13 +10,13 @@ namespace {
 std::string ending_sentence(const Ending& ending) {
   switch (ending.status) {
     case Ending::Status::finished:
-      return fmt::format("Finished at t = {:g} s", ending.time);
+      return fmt::format("Finished at t = {:.4g} s", ending.time);
     case Ending::Status::interrupted:
-      return fmt::format("Interrupted at t = {:g} s", ending.time);
+      return fmt::format("Interrupted at t = {:.4g} s", ending.time);
     case Ending::Status::failed:
       break;
   }
-  return fmt::format("Failed at t = {:g} s: {}\nWhat was written until then is kept", ending.time, ending.reason);
+  return fmt::format("the run failed: {}\nKept", ending.reason);
 }
 
 std::string losses(const Statistics& s) {
@@ -46,8 +46,9 @@ std::string places(const Scene& scene, const OutputFolder& folder) {
 std::string closing_text(const Scene& scene, const OutputFolder& folder, const RunRecord& record) {
   const Statistics& s = record.statistics;
   const double iterations = s.steps > 0 ? static_cast<double>(s.iterations) / s.steps : 0;
-  return fmt::format("{}: {} frames, {} steps of {:.1f} pressure iterations on average, {} of wall time.\n{}{}",
-                     ending_sentence(*record.ending), record.ending->frames, s.steps, iterations,
+  const long frames = record.ending->frames;
+  return fmt::format("{}: {} frame{}, {} steps, {:.1f} pressure iterations a step, {} of wall time\n{}{}",
+                     ending_sentence(*record.ending), frames, frames == 1 ? "" : "s", s.steps, iterations,
                      clock_text(record.seconds.at("total")), losses(s), places(scene, folder));
 }
 

@@ -28,7 +28,8 @@ void add_shorthand(CLI::App& verb, const std::string& flag, const std::string& k
             overrides.push_back({flag + " " + value, key, value});
           },
           "short for --set " + key + "=...")
-      ->type_name(type);
+      ->type_name(type)
+      ->take_last();
 }
 
 void add_run(CLI::App& app, RunRequest& request, int& code) {

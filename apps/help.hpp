@@ -31,7 +31,7 @@ constexpr const char* run_footer = R"(Examples:
   seiche run scenes/quick.toml --set motion.amplitude=0.02 --set output.movie=gif --overwrite
   seiche run scenes/quick.toml --dry-run > mine.toml
 
-The preset comes first, then the file's keys, then --set and the other flags; of two the last one counts.
+The preset comes first, then the file's keys, then each --set in its order, then the other flags.
 The scene, the folder, OpenGL and the encoder are checked before anything is computed or written.
 Ctrl-C ends the run with the current frame and closes the movie; a second Ctrl-C ends it at once.)";
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 #include "apps/nearest.hpp"
 #include "apps/toml_settings.hpp"
@@ -17,10 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string read_text(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!fs::is_directory(file) && in && text << in.rdbuf()) return text.str();
-  if (fs::exists(file)) throw BadScene(fmt::format("{}: this is no readable file", file));
+  // Opening a folder succeeds, reading it throws.
+  if (fs::is_directory(file)) throw BadScene(fmt::format("{}: this is a folder, not a scene file", file));
+  if (std::ifstream in(file, std::ios::binary); in) return {std::istreambuf_iterator<char>(in), {}};
+  if (fs::exists(file)) throw BadScene(fmt::format("{}: this file can't be read", file));
 
   std::vector<std::string> scenes;
   std::error_code ignored;

@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "apps/options.hpp"
+#include "tests/unit/apps/files.hpp"
 
 namespace seiche::apps {
 namespace {
+
+using test::Scratch;
+using test::write_text;
 
 std::string errors_of(const std::string& toml, const std::vector<Override>& overrides = {}) {
   try {
@@ -117,6 +121,13 @@ TEST(SceneFile, KeysThatDontFitTogetherAreRefused) {
 }
 
 TEST(SceneFile, AMissingFileIsNamed) { EXPECT_THROW(read_scene("no/such/file.toml", {}), BadScene); }
+
+TEST(SceneFile, AnEmptyFileIsReadAndAFolderIsNot) {
+  const Scratch scratch;
+  write_text(scratch / "empty.toml", "");
+  EXPECT_EQ(read_scene(scratch / "empty.toml", {}).name, "empty");
+  EXPECT_THROW(read_scene(scratch.folder(), {}), BadScene);
+}
 
 TEST(Overrides, NameTheFlagAtFault) {
   EXPECT_EQ(errors_of("", {parse_set("amplitde=3")}),

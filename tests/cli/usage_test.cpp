@@ -1,0 +1,157 @@
+// What the program says and exits with before it computes anything.
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.hpp"
+#include "tests/unit/apps/files.hpp"
+
+namespace seiche::test {
+namespace {
+
+const std::string quick = SEICHE_SCENES "/quick.toml";
+
+TEST(Usage, HelpListsVerbsOutputsAndExitCodes) {
+  const Scratch scratch;
+  const Result result = seiche(scratch.folder(), {"--help"});
+  EXPECT_EQ(result.code, 0);
+  for (const char* text : {"run ", "check ", "info ", "kernels ", "probes.csv", "Exit codes:", "Examples:"}) {
+    EXPECT_NE(result.out.find(text), std::string::npos) << text;
+  }
+}
+
+TEST(Usage, EachVerbHasItsOwnHelpWithExamples) {
+  const Scratch scratch;
+  for (const std::string verb : {"run", "check", "info", "kernels"}) {
+    const Result result = seiche(scratch.folder(), {verb, "--help"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_NE(result.out.find("Examples:\n  seiche " + verb), std::string::npos) << result.out;
+  }
+}
+
+TEST(Usage, VersionIsOneLine) {
+  const Scratch scratch;
+  const Result result = seiche(scratch.folder(), {"--version"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.out.substr(0, 7), "seiche ");
+}
+
+TEST(Usage, WrongUsageExitsWith2) {
+  const Scratch scratch;
+  const std::string hint = "\nseiche --help and seiche VERB --help say more.\n";
+  const auto error_of = [&](std::vector<std::string> arguments) {
+    const Result result = seiche(scratch.folder(), arguments);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "");
+    return result.err;
+  };
+  EXPECT_EQ(error_of({"rnu", quick}), "seiche: there is no verb 'rnu'; did you mean 'run'?" + hint);
+  EXPECT_EQ(error_of({"run"}), "seiche: scene is required" + hint);
+  EXPECT_EQ(error_of({"run", quick, "--fast"}), "seiche: The following argument was not expected: --fast" + hint);
+  EXPECT_EQ(error_of({}).substr(0, 8), "seiche: ");
+  EXPECT_EQ(error_of({"run", quick, "--threads", "0"}).substr(0, 8), "seiche: ");
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.folder()));
+}
+
+TEST(Usage, ABadSceneIsRefusedBeforeAnythingIsWritten) {
+  const Scratch scratch;
+  write_text(scratch / "x.toml", "[motion]\n  amplitde = 0.1\nfrequency = nan\n");
+  const std::string expected =
+      "x.toml:2:3: [motion] amplitde is no key of a scene; did you mean 'amplitude'?\n"
+      "x.toml:3:13: [motion] frequency = nan is not finite; expected a number from 0 to 100 [Hz]\n";
+  for (const std::string verb : {"run", "check"}) {
+    const Result result = seiche(scratch.folder(), {verb, "x.toml"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err, expected);
+    EXPECT_EQ(result.out, "");
+  }
+  EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
+}
+
+TEST(Usage, EachBadSceneExitsWith2AndNamesTheFault) {
+  const Scratch scratch;
+  const auto error_of = [&](const std::string& toml, std::vector<std::string> flags = {}) {
+    write_text(scratch / "x.toml", toml);
+    flags.insert(flags.begin(), {"run", "x.toml"});
+    const Result result = seiche(scratch.folder(), flags);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
+    return result.err;
+  };
+  EXPECT_EQ(error_of("[fluid]\ndepth = 0.5\n"), "x.toml: fluid.depth = 0.5 m is more than tank.height = 0.4 m\n");
+  EXPECT_EQ(error_of("", {"--end", "-1"}),
+            "--end -1: [time] end = -1 is out of range; expected a number above 0, up to 100000 [s]\n");
+  EXPECT_EQ(error_of("[fluid\n").substr(0, 9), "x.toml:1:");
+  EXPECT_EQ(error_of("", {"--kernel", "KF9"}),
+            "--kernel KF9: [method] kernel = 'KF9' is none of its choices; expected one of KF1, KF2, KF3, KF4, KF5\n");
+  EXPECT_EQ(
+      error_of("", {"--range", "1"}),
+      "--range 1: [look] range = '1' cannot be used; expected scene, frame, run, or min,max as in -100,3000 [Pa]\n");
+  EXPECT_EQ(error_of("", {"--set", "tank.lenght=1"}),
+            "--set tank.lenght=1: 'tank.lenght' is no key of a scene; did you mean 'tank.length'?\n");
+  EXPECT_NE(error_of("[output]\nsize = \"641x480\"\n").find("even width"), std::string::npos);
+  EXPECT_EQ(seiche(scratch.folder(), {"check", "y.toml"}).err,
+            "y.toml: there is no such file; did you mean 'x.toml'?\n");
+}
+
+TEST(Usage, CheckSummarisesAGoodScene) {
+  const Scratch scratch;
+  const Result result = seiche(scratch.folder(), {"check", quick});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.out.find("300 fluid particles"), std::string::npos) << result.out;
+}
+
+TEST(Usage, ADryRunPrintsAWholeSceneAndWritesNothing) {
+  const Scratch scratch;
+  const Result first = seiche(scratch.folder(), {"run", quick, "--dry-run", "--range", "-100,3000"});
+  EXPECT_EQ(first.code, 0) << first.err;
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.folder()));
+
+  write_text(scratch / "quick.toml", first.out);
+  EXPECT_EQ(seiche(scratch.folder(), {"run", "quick.toml", "--dry-run"}).out, first.out);
+}
+
+TEST(Usage, AFolderWithFilesIsRefused) {
+  const Scratch scratch;
+  write_text(scratch / "out/quick/notes.txt", "mine");
+  const Result result = seiche(scratch.folder(), {"run", quick});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(
+      result.err,
+      "seiche: out/quick exists and isn't empty; choose another folder with -o DIR, or replace the run in it with "
+      "--overwrite\n");
+  EXPECT_FALSE(std::filesystem::exists(scratch / "out/quick/run.json"));
+}
+
+TEST(Usage, WithoutFfmpegAMovieIsRefusedBeforeTheRun) {
+  const Scratch scratch;
+  const Result result = seiche(scratch.folder(), {"run", quick}, {"PATH=/nonexistent"});
+  EXPECT_EQ(result.code, 5);
+  EXPECT_NE(result.err.find("install Debian's package ffmpeg"), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
+}
+
+TEST(Usage, WithoutOpenGlPicturesAreRefusedBeforeTheRun) {
+  const Scratch scratch;
+  // Mesa then claims to know OpenGL 2.1 only, as very old machines do.
+  const Result result = seiche(scratch.folder(), {"run", quick}, {"MESA_GL_VERSION_OVERRIDE=2.1"});
+  EXPECT_EQ(result.code, 4);
+  EXPECT_NE(result.err.find("libosmesa6"), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
+}
+
+TEST(Usage, InfoNamesTheRendererAndTheEncoders) {
+  const Scratch scratch;
+  const Result result = seiche(scratch.folder(), {"info"}, {"DISPLAY="});
+  EXPECT_EQ(result.code, 0);
+  for (const char* text : {"OSMesa", "VTK", "libx264", "Eigen"})
+    EXPECT_NE(result.out.find(text), std::string::npos) << text;
+}
+
+TEST(Usage, KernelsArePrintedOrDrawn) {
+  const Scratch scratch;
+  EXPECT_NE(seiche(scratch.folder(), {"kernels"}).out.find("KF5"), std::string::npos);
+  EXPECT_EQ(seiche(scratch.folder(), {"kernels", "-o", "kernels.png"}).code, 0);
+  EXPECT_EQ(read_file(scratch / "kernels.png").substr(1, 3), "PNG");
+}
+
+}  // namespace
+}  // namespace seiche::test
