@@ -11,6 +11,7 @@
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
 #include <algorithm>
@@ -37,9 +38,8 @@ void style_text(vtkTextProperty* text, double size) {
   text->BoldOff();
 }
 
-void style_axis(vtkAxis* axis, const std::string& title, Range range, double font) {
-  axis->SetTitle(title);
-  style_text(axis->GetTitleProperties(), font);
+void style_axis(vtkAxis* axis, Range range, double font) {
+  axis->SetTitle("");
   style_text(axis->GetLabelProperties(), 0.85 * font);
   axis->GetPen()->SetWidth(static_cast<float>(font / 14));
   axis->SetLabelOffset(static_cast<float>(0.55 * font));
@@ -89,22 +89,22 @@ void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t number, double
 
 Image draw_curves(const std::vector<Curve>& curves, const std::string& title, const std::string& x_label,
                   const std::string& y_label, int width, int height) {
-  const double font = sharpness * std::max(9.0, std::min(width / 1280.0, height / 720.0) * 24);
+  const double font = std::max(9.0, std::min(width / 1280.0, height / 720.0) * 24);  // in pixels of the picture
+  const double inner = sharpness * font;                                             // and of the window
   vtkNew<vtkChartXY> chart;
-  for (std::size_t i = 0; i < curves.size(); ++i) add_curve(chart, curves[i], i, font);
-  const auto edge = static_cast<float>(1.2 * font);
-  chart->SetAutoSize(false);
-  chart->SetSize({edge, edge, static_cast<float>(sharpness * width) - 2 * edge,
-                  static_cast<float>(sharpness * height) - 2 * edge});
-  chart->SetTitle(title);
-  style_text(chart->GetTitleProperties(), 1.15 * font);
-  style_axis(chart->GetAxis(vtkAxis::BOTTOM), x_label, extent(curves, &Curve::x), font);
-  style_axis(chart->GetAxis(vtkAxis::LEFT), y_label, extent(curves, &Curve::y), font);
+  for (std::size_t i = 0; i < curves.size(); ++i) add_curve(chart, curves[i], i, inner);
+  style_axis(chart->GetAxis(vtkAxis::BOTTOM), extent(curves, &Curve::x), inner);
+  style_axis(chart->GetAxis(vtkAxis::LEFT), extent(curves, &Curve::y), inner);
   chart->SetShowLegend(true);
-  style_text(chart->GetLegend()->GetLabelProperties(), font);
-  chart->GetLegend()->SetSymbolWidth(static_cast<int>(2.2 * font));
-  chart->GetLegend()->SetPadding(static_cast<int>(0.4 * font));
+  style_text(chart->GetLegend()->GetLabelProperties(), inner);
+  chart->GetLegend()->SetSymbolWidth(static_cast<int>(2.2 * inner));
+  chart->GetLegend()->SetPadding(static_cast<int>(0.4 * inner));
   chart->GetLegend()->GetPen()->SetOpacity(0);
+  // Titles are laid over: the chart's own stand too close to the numbers.
+  const Box room{2.8 * font, 2.8 * font, width - 4.6 * font, height - 5.8 * font};
+  const auto pixels = [](double size) { return static_cast<float>(sharpness * size); };
+  chart->SetAutoSize(false);
+  chart->SetSize({pixels(room.x), pixels(room.y), pixels(room.width), pixels(room.height)});
 
   vtkNew<vtkContextScene> scene;
   scene->AddItem(chart);
@@ -115,6 +115,14 @@ Image draw_curves(const std::vector<Curve>& curves, const std::string& title, co
   renderer->SetBackgroundAlpha(1);
   renderer->AddActor(actor);
   scene->SetRenderer(renderer);
+  Overlay titles(renderer);
+  constexpr Rgb ink{34, 34, 34};
+  titles.text(title, width / 2.0, height - 1.6 * font, 1.15 * font, Align::centre, ink);
+  titles.text(x_label, room.x + room.width / 2, 1.6 * font, font, Align::centre, ink);
+  titles.text(y_label, 1.6 * font, room.y + room.height / 2, font, Align::centre, ink)
+      ->GetTextProperty()
+      ->SetOrientation(90);
+
   const auto window = make_window(sharpness * width, sharpness * height);
   window->AddRenderer(renderer);
   window->Render();

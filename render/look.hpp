@@ -29,4 +29,7 @@ struct Range {
 /// "min,max" as a range; nothing for the named modes. Throws std::invalid_argument on anything else.
 std::optional<Range> parse_range(const std::string& text);
 
+/// Throws std::invalid_argument with the first thing in `look` that can't be drawn.
+void check_look(const Look& look);
+
 }  // namespace seiche::render

@@ -23,7 +23,4 @@ class Painter {
   std::unique_ptr<Stage> stage_;
 };
 
-/// Throws std::invalid_argument with the first thing in `look` that can't be drawn.
-void check_look(const Look& look);
-
 }  // namespace seiche::render

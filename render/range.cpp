@@ -66,11 +66,12 @@ Ticks round_ticks(Range range) {
 }
 
 std::string tick_label(double value, double step) {
-  const double size = std::max(std::abs(value), step);
-  if (size >= 1e6 || step < 1e-4) return fmt::format("{:.4g}", value);
+  const double size = std::abs(value);
+  const char* sign = value < 0 ? "\u2212" : "";  // a minus, longer than a hyphen
+  if (std::max(size, step) >= 1e6 || step < 1e-4) return fmt::format("{}{:.4g}", sign, size);
   int decimals = 0;
   for (double rest = step; std::abs(rest - std::round(rest)) > 1e-6 * rest; rest *= 10) ++decimals;
-  return fmt::format("{:.{}f}", value, decimals);
+  return fmt::format("{}{:.{}f}", sign, size, decimals);
 }
 
 Range rounded(Range range) {

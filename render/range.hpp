@@ -14,7 +14,7 @@ struct Ticks {
 };
 Ticks round_ticks(Range range);
 
-/// The tick's number without needless digits, as in "500" or "0.25".
+/// The tick's number without needless digits, as in "500" or "0.25", with a true minus sign.
 std::string tick_label(double value, double step);
 
 /// The smallest range between two round ticks that holds `range`; one of no width becomes [low, low + 1] first.

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "render/painter.hpp"
-
 using namespace seiche::render;
 
 TEST(Look, DefaultsCanBeDrawn) { EXPECT_NO_THROW(check_look(Look{})); }

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "render/outputs.hpp"
+#include "render/painter.hpp"
 #include "tests/unit/render/synthetic.hpp"
 
 using namespace seiche;
@@ -160,6 +161,20 @@ TEST(Pictures, RunRangeIsDrawnAtTheEndWithOneRangeForAll) {
   EXPECT_EQ(run.images[1].rgba, fixed.images[1].rgba);
   look.range = "frame";
   EXPECT_NE(draw(look, frames).images[0].rgba, run.images[0].rgba) << "its own range differs where pressures are small";
+}
+
+TEST(Pictures, TwoSeriesMayBeDrawnInTurns) {
+  Look black = small();
+  black.background = "black";
+  black.width = 640;
+  const auto run = test::run_info(box);
+  Painter first(run, small()), second(run, black);
+  const auto frame = test::lattice(box, 0.1);
+  const Image white = first.draw(*frame, {0, 500});
+  const Image dark = second.draw(*frame, {0, 500});
+  EXPECT_NE(white.rgba, dark.rgba);
+  EXPECT_EQ(first.draw(*frame, {0, 500}).rgba, white.rgba);
+  EXPECT_EQ(second.draw(*frame, {0, 500}).rgba, dark.rgba);
 }
 
 TEST(Pictures, PartsCanBeHidden) {

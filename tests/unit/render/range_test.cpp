@@ -73,7 +73,7 @@ TEST(Ticks, LabelsHaveTheDigitsThatTheStepNeeds) {
   EXPECT_EQ(tick_label(0, 0.25), "0.00");
   EXPECT_EQ(tick_label(0.75, 0.25), "0.75");
   EXPECT_EQ(tick_label(7.5, 2.5), "7.5");
-  EXPECT_EQ(tick_label(-20, 10), "-20");
+  EXPECT_EQ(tick_label(-20, 10), "\u221220");
   EXPECT_EQ(tick_label(2e6, 1e6), "2e+06");
 }
 

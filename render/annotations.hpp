@@ -1,0 +1,34 @@
+#pragma once
+#include <optional>
+
+#include "render/look.hpp"
+#include "render/overlay.hpp"
+#include "solver/frame.hpp"
+
+namespace seiche::render {
+
+/// The words around the tank: caption, clock, ruler, and the key to the marks.
+class Annotations {
+ public:
+  /// `ruler`: its length [m].
+  Annotations(const RunInfo& run, const Look& look, double ruler) : run_(run), look_(look), ruler_(ruler) {}
+
+  /// Fills in what they take up. The ruler's edge of the tank is seen `foreshortened` times its length.
+  void claim(Needs& needs, double foreshortened) const;
+
+  void place(vtkRenderer* renderer, const Layout& layout, double foreshortened, Rgb ink);
+  void set_time(double seconds);
+
+ private:
+  bool keyed_wall() const { return look_.show_walls && run_.dimension == 2; }
+  void place_ruler(const Layout& layout, double foreshortened, Rgb ink);
+  void place_key(const Layout& layout, Rgb ink);
+
+  RunInfo run_;
+  Look look_;
+  double ruler_;
+  std::optional<Overlay> overlay_;
+  vtkTextActor* clock_ = nullptr;  // owned by the overlay
+};
+
+}  // namespace seiche::render

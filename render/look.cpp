@@ -1,0 +1,30 @@
+#include "render/look.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <stdexcept>
+
+#include "render/colour_map.hpp"
+
+namespace seiche::render {
+
+void check_look(const Look& look) {
+  const auto among = [](const char* key, const std::string& value, std::initializer_list<const char*> names) {
+    if (std::find(names.begin(), names.end(), value) != names.end()) return;
+    std::string all;
+    for (const char* name : names) all += all.empty() ? name : fmt::format(", {}", name);
+    throw std::invalid_argument(fmt::format("'{}' is no {}; choose one of {}", value, key, all));
+  };
+  if (look.width < 64 || look.height < 64 || look.width > 8192 || look.height > 8192)
+    throw std::invalid_argument(
+        fmt::format("{} x {} is no size for a picture; give 64 to 8192 pixels each way", look.width, look.height));
+  ColourMap{look.colour_map};
+  among("background", look.background, {"white", "black", "transparent"});
+  among("style", look.style, {"disc", "dot"});
+  among("view", look.view, {"tank", "lab"});
+  parse_range(look.range);
+}
+
+}  // namespace seiche::render
