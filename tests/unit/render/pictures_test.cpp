@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <iostream>
 #include <limits>
 
 #include "render/outputs.hpp"
@@ -76,6 +78,21 @@ TEST(Gl, IsOsmesasWithoutADisplay) {
   const std::string text = gl_description();
   EXPECT_NE(text.find("llvmpipe"), std::string::npos) << text;
   EXPECT_NE(text.find("through OSMesa"), std::string::npos) << text;
+}
+
+TEST(GlDeathTest, TooOldNamesThePackage) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // Mesa asks the environment once in a process
+  const auto ask = [] {
+    setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1);
+    try {
+      gl_description();
+    } catch (const NoGl& error) {
+      std::cerr << error.what();
+      std::exit(4);
+    }
+    std::exit(0);
+  };
+  EXPECT_EXIT(ask(), testing::ExitedWithCode(4), "libosmesa6");
 }
 
 TEST(Pictures, EveryTakerGetsEachFrameOnceAndTheSame) {
