@@ -147,6 +147,8 @@ void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look
   if (look.show_surface) {
     const double size = std::max(0.5 * run.spacing, 1.4 * stroke / scale);
     surface_ = discs({.radius = size, .hole = 1 - stroke / (size * scale), .layer = 1});
+    // Those marked keep their true size, so that their mark goes round them and no spray looks larger than it is.
+    if (closed > 0) marked_ = discs({.radius = half, .edge = 0.8, .shade = shade});
   }
 }
 
@@ -155,7 +157,7 @@ double Particles::layer_height(const RunInfo& run) { return 0.02 * (run.tank[0] 
 Particles::~Particles() = default;
 
 void Particles::show(const Frame& frame, Range range, const Double3& shift) {
-  Layer* const layers[] = {fluid_.get(), surface_.get(), wall_.get(), dummy_.get()};
+  Layer* const layers[] = {fluid_.get(), marked_.get(), surface_.get(), wall_.get(), dummy_.get()};
   for (Layer* layer : layers)
     if (layer) layer->clear();
   const double width = range.high - range.low;
@@ -163,10 +165,13 @@ void Particles::show(const Frame& frame, Range range, const Double3& shift) {
     Float3 at = frame.position[i];
     for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += static_cast<float>(shift[axis]);
     switch (frame.kind[i]) {
-      case Kind::fluid:
-        fluid_->add(at, map_((frame.pressure[i] - range.low) / width));
-        if (surface_ && frame.free_surface[i]) surface_->add(at, surface_colour);
+      case Kind::fluid: {
+        const bool marked = surface_ && frame.free_surface[i];
+        const Rgb colour = map_((frame.pressure[i] - range.low) / width);
+        (marked && marked_ ? marked_ : fluid_)->add(at, colour);
+        if (marked) surface_->add(at, surface_colour);
         break;
+      }
       case Kind::wall:
         if (wall_) wall_->add(at, wall_colour);
         break;

@@ -32,7 +32,7 @@ class Particles {
   void make_discs(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke);
 
   ColourMap map_;
-  std::unique_ptr<Layer> fluid_, surface_, wall_, dummy_;  // null when not shown
+  std::unique_ptr<Layer> fluid_, marked_, surface_, wall_, dummy_;  // null when not shown
 };
 
 }  // namespace seiche::render
