@@ -4,6 +4,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -48,7 +49,7 @@ std::string clock_text(double seconds) {
 std::string progress_bar(const Moment& moment, int columns) {
   constexpr int width = 10;
   const int full = static_cast<int>(width * share(moment));
-  const std::string bar = fmt::format("[{:-<{}}]{}", std::string(full, '#'), width, facts(moment));
+  const std::string bar = fmt::format("[{:-<{}}] {}", std::string(full, '#'), width, facts(moment));
   return bar.substr(0, std::max(columns - 1, 0));  // A line that wraps can't be drawn over.
 }
 

@@ -20,10 +20,10 @@ TEST(Progress, ALineTellsShareTimeFrameStepsRateAndWhatIsLeft) {
 }
 
 TEST(Progress, TheBarFillsWithTheShare) {
-  EXPECT_EQ(progress_bar(half, 200).substr(0, 18), "[#####-----] 50 % ");
+  EXPECT_EQ(progress_bar(half, 200).substr(0, 19), "[#####-----]  50 % ");
   Moment end = half;
   end.time = end.end;
-  EXPECT_EQ(progress_bar(end, 200).substr(0, 18), "[##########]100 % ");
+  EXPECT_EQ(progress_bar(end, 200).substr(0, 19), "[##########] 100 % ");
 }
 
 TEST(Progress, TheBarStaysWithinTheTerminal) { EXPECT_EQ(progress_bar(half, 40).size(), 39u); }
