@@ -25,7 +25,8 @@ void velocity_divergence(const K& w, double n0, const Neighbours<D>& list, const
         rate = (s.velocity[j] - s.velocity[i]).dot(rij);
       } else {
         const Vec<D>& normal = fluid ? s.normal[j] : s.normal[i];
-        rate = (s.velocity[j] - s.velocity[i]).dot(normal) * normal.dot(rij);
+        const Vec<D> du = s.velocity[j] - s.velocity[i];
+        rate = normal.isZero() ? du.dot(rij) : du.dot(normal) * normal.dot(rij);
       }
       out[i] += rate * w(std::sqrt(r2)) / r2;
     }

@@ -34,6 +34,21 @@ struct GradientSums {
   Vec<D> all_directions = Vec<D>::Zero();  ///< the same, dummies included
   Eigen::Matrix<double, D, D> moment = Eigen::Matrix<double, D, D>::Zero();
   double least = 0;  ///< f_min - f_i, at most 0
+
+  void add(double weight, const Vec<D>& rij, double difference) {
+    least = std::min(least, difference);
+    differences += weight * difference * rij;
+    directions += weight * rij;
+    moment += weight * rij * rij.transpose();
+  }
+
+  /// A wall tells the slope across it, and nothing of the slope along it.
+  void add_wall(double weight, const Vec<D>& rij, const Vec<D>& normal, const Vec<D>& slope) {
+    const Vec<D> across = normal.isZero() ? rij : Vec<D>(normal.dot(rij) * normal);
+    differences += weight * slope.dot(across) * across;
+    directions += weight * across;
+    moment += weight * across * across.transpose();
+  }
 };
 
 template <int D>
@@ -55,8 +70,12 @@ Vec<D> combine(CorrectedGradient g, const GradientSums<D>& s, double n0) {
 }  // namespace detail
 
 /// Gradient of a pressure at fluid particles [Pa/m]; zero elsewhere. Dummies have no pressure and don't take part.
+/// @param slope rho f, the slope of the pressure across walls [Pa/m], which then stands for the wall particles'
+/// pressures;
+///        null: wall particles have pressures of their own
 template <int D, class K, class Model>
-void pressure_gradient(Model model, const K& w, double n0, const Neighbours<D>& list, const State<D>& s, Vecs<D>& out) {
+void pressure_gradient(Model model, const K& w, double n0, const Vec<D>* slope, const Neighbours<D>& list,
+                       const State<D>& s, Vecs<D>& out) {
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
@@ -67,14 +86,12 @@ void pressure_gradient(Model model, const K& w, double n0, const Neighbours<D>& 
       const Vec<D> rij = s.position[j] - s.position[i];
       const double r2 = rij.squaredNorm();
       if (!(r2 < w.support * w.support)) continue;
-      const Vec<D> v = w(std::sqrt(r2)) / r2 * rij;
-      sums.all_directions += v;
-      if (s.kind[j] == Kind::dummy) continue;
-      const double df = s.pressure[j] - s.pressure[i];
-      sums.least = std::min(sums.least, df);
-      sums.differences += df * v;
-      sums.directions += v;
-      sums.moment += v * rij.transpose();
+      const double weight = w(std::sqrt(r2)) / r2;
+      sums.all_directions += weight * rij;
+      if (slope && s.kind[j] != Kind::fluid)
+        sums.add_wall(weight, rij, s.normal[j], *slope);
+      else if (s.kind[j] != Kind::dummy)
+        sums.add(weight, rij, s.pressure[j] - s.pressure[i]);
     }
     out[i] = detail::combine(model, sums, n0);
   }

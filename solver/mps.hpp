@@ -55,11 +55,16 @@ class Mps final : public Simulation {
   void refresh_neighbours();
   void find_surface();
   void solve_pressure(double dt);
+  template <class Boundary>
+  void assemble(const Boundary& boundary, double dt);
   void solve_system();
   void correct_velocity(double dt);
   void separate();
   void take_out_lost();
   void project_start();
+
+  /// Walls bound the pressure as ghosts in the stabilised order, as particles with pressures in the paper's.
+  bool ghost_walls() const { return p_.method.order == "project-first"; }
 
   /// Calls f(i) for every fluid particle.
   template <class F>
@@ -88,14 +93,16 @@ class Mps final : public Simulation {
   Statistics totals_;
   long fluid_at_start_ = 0;
   double fastest_ = 0;
+  double flat_density_;            ///< n of the topmost layer below a flat surface
+  Vec<D> force_ = Vec<D>::Zero();  ///< f of this step [m/s^2]
 
   // Buffers kept between steps: number density, its count, divergence, vectors, the old velocity, nearness to the
   // surface.
   Scalars n_, divergence_;
-  std::vector<int> count_;
+  std::vector<int> count_, collisions_;
   Vecs<D> change_, old_velocity_;
   std::vector<std::uint8_t> near_;
-  Eigen::VectorXd right_, solution_;
+  Eigen::VectorXd solution_;
 };
 
 /// For mps_2d.cpp and mps_3d.cpp: the simulation with the kernel that the parameters name.

@@ -19,7 +19,8 @@ Mps<D, K>::Mps(const Parameters& p, K kernel, double sample_interval)
             std::max({density_range_.w.support, gradient_range_.w.support, laplacian_range_.w.support}), 0.3 * l0_),
       solver_(make_pressure_solver(p.pressure.solver, p.pressure.tolerance, p.pressure.max_iterations)),
       sensors_(p, sample_interval),
-      watch_(p, motion_) {
+      watch_(p, motion_),
+      flat_density_(flat_surface_density<D>(density_range_.w, l0_)) {
   for (Kind k : s_.kind)
     ++(k == Kind::fluid ? totals_.fluid_particles : k == Kind::wall ? totals_.wall_particles : totals_.dummy_particles);
   fluid_at_start_ = totals_.fluid_particles;
@@ -82,14 +83,14 @@ void Mps<D, K>::step_move_first(double dt) {
 /// with the mean of the old and the new velocity (second order in dt), and keep particles apart.
 template <int D, class K>
 void Mps<D, K>::step_project_first(double dt) {
-  old_velocity_ = s_.velocity;
   refresh_neighbours();
+  old_velocity_ = s_.velocity;
   find_surface();
   predict(dt);
   solve_pressure(dt);
   correct_velocity(dt);
-  move_fluid([&](int i) { return Vec<D>(0.5 * dt * (old_velocity_[i] + s_.velocity[i])); });
-  refresh_neighbours();
+  particle_shift(density_range_.w, density_range_.ref.n0, p_.method.shift, l0_, list_, near_, s_, change_);
+  move_fluid([&](int i) { return Vec<D>(0.5 * dt * (old_velocity_[i] + s_.velocity[i]) + change_[i]); });
   separate();
 }
 
@@ -98,10 +99,11 @@ template <int D, class K>
 void Mps<D, K>::predict(double dt) {
   const Stage stage(totals_.seconds["explicit"]);
   velocity_laplacian(laplacian_range_.w, laplacian_range_.ref, p_.method.wall == "free-slip", list_, s_, change_);
-  Vec<D> force = Vec<D>::Zero();
-  force[0] = -motion_.mean_acceleration(s_.time, dt);
-  force[1] = -p_.gravity;
-  each_fluid([&](int i) { s_.velocity[i] += dt * (p_.fluid.viscosity * change_[i] + force); });
+  force_[0] = -motion_.mean_acceleration(s_.time, dt);
+  force_[1] = -p_.gravity;
+  // Ghost walls balance f in the pressure equation itself, so there it joins the velocity only after the projection.
+  const Vec<D> now = ghost_walls() ? Vec<D>(Vec<D>::Zero()) : force_;
+  each_fluid([&](int i) { s_.velocity[i] += dt * (p_.fluid.viscosity * change_[i] + now); });
 }
 
 template <int D, class K>
@@ -111,7 +113,7 @@ void Mps<D, K>::refresh_neighbours() {
   list_.build(s_);
   ++totals_.list_builds;
   for (Scalars* values : {&n_, &divergence_}) values->resize(s_.size());
-  count_.resize(s_.size());
+  for (std::vector<int>* values : {&count_, &collisions_}) values->resize(s_.size());
   near_.resize(s_.size());
   change_.resize(s_.size());
 }
@@ -129,35 +131,51 @@ void Mps<D, K>::find_surface() {
 /// Solves equation (10) for the pressure at the end of the step; negative pressures become 0.
 template <int D, class K>
 void Mps<D, K>::solve_pressure(double dt) {
-  const Source source(p_, dt);
+  const Vec<D> slope = p_.fluid.density * force_;
+  const int size = static_cast<int>(s_.size());
   {
     const Stage stage(totals_.seconds["assembly"]);
-    const Reference& ref = laplacian_range_.ref;
-    const double scale = ref.lambda * ref.n0 / (2 * D);
-    if (source.mixed) velocity_divergence(density_range_.w, density_range_.ref.n0, list_, s_, divergence_);
-    system_.assemble(laplacian_range_.w, scale * source.compressibility + definite * ref.n0, list_, s_);
-    right_.resize(system_.rows());
-    solution_.resize(system_.rows());
-#pragma omp parallel for schedule(static)
-    for (int k = 0; k < system_.rows(); ++k) {
-      const int i = system_.particle(k);
-      const double excess = (n_[i] - density_range_.ref.n0) / density_range_.ref.n0;
-      right_[k] = scale * source(divergence_[i], excess, near_[i]);
-      solution_[k] = s_.pressure[i];
+    if (ghost_walls()) {
+      set_surface_pressure(slope.norm(), l0_, flat_density_, n_, s_);
+      assemble(GhostBoundary<D>{s_, n_, near_, density_range_.ref.n0, laplacian_range_.ref.n0, slope}, dt);
+    } else {
+      assemble(PaperBoundary<D>{s_}, dt);
     }
   }
   const Stage stage(totals_.seconds["solve"]);
   solve_system();
-  const int size = static_cast<int>(s_.size());
 #pragma omp parallel for schedule(static)
-  for (int i = 0; i < size; ++i) s_.pressure[i] = system_.row(i) < 0 ? 0 : std::max(0.0, solution_[system_.row(i)]);
+  for (int i = 0; i < size; ++i) {
+    if (system_.row(i) >= 0)
+      s_.pressure[i] = std::max(0.0, solution_[system_.row(i)]);
+    else if (!ghost_walls() || s_.kind[i] != Kind::fluid)
+      s_.pressure[i] = 0;
+  }
+  if (ghost_walls()) extend_to_walls(density_range_.w, slope, list_, s_);
+}
+
+template <int D, class K>
+template <class Boundary>
+void Mps<D, K>::assemble(const Boundary& boundary, double dt) {
+  const Source source(p_, dt);
+  const Reference& ref = laplacian_range_.ref;
+  const double scale = ref.lambda * ref.n0 / (2 * D), n0 = density_range_.ref.n0;
+  if (source.mixed) velocity_divergence(density_range_.w, n0, list_, s_, divergence_);
+  system_.assemble(laplacian_range_.w, definite * ref.n0, boundary, list_, s_);
+  solution_.resize(system_.rows());
+#pragma omp parallel for schedule(static)
+  for (int k = 0; k < system_.rows(); ++k) {
+    const int i = system_.particle(k);
+    system_.right()[k] += scale * source(divergence_[i], (n_[i] - n0) / n0, near_[i]);
+    solution_[k] = s_.pressure[i];
+  }
 }
 
 template <int D, class K>
 void Mps<D, K>::solve_system() {
   if (system_.rows() == 0) return;
-  if (!right_.allFinite()) watch_.fail_not_finite(s_);
-  const SolveReport report = solver_->solve(system_.matrix(), right_, solution_);
+  if (!system_.right().allFinite()) watch_.fail_not_finite(s_);
+  const SolveReport report = solver_->solve(system_.matrix(), system_.right(), solution_);
   totals_.iterations += report.iterations;
   totals_.last_iterations = report.iterations;
   totals_.last_residual = report.residual;
@@ -173,14 +191,17 @@ void Mps<D, K>::solve_system() {
 template <int D, class K>
 void Mps<D, K>::correct_velocity(double dt) {
   const Stage stage(totals_.seconds["gradient"]);
+  const Vec<D> slope = p_.fluid.density * force_;
   const auto gradient = [&](auto model) {
-    pressure_gradient(model, gradient_range_.w, gradient_range_.ref.n0, list_, s_, change_);
+    pressure_gradient(model, gradient_range_.w, gradient_range_.ref.n0, ghost_walls() ? &slope : nullptr, list_, s_,
+                      change_);
   };
   if (p_.method.gradient == "corrected") gradient(CorrectedGradient{});
   if (p_.method.gradient == "minimum") gradient(MinimumGradient{});
   if (p_.method.gradient == "plain") gradient(PlainGradient{});
   each_fluid([&](int i) {
     change_[i] *= -dt / p_.fluid.density;
+    if (ghost_walls()) change_[i] += dt * force_;
     s_.velocity[i] += change_[i];
   });
 }
@@ -189,10 +210,8 @@ template <int D, class K>
 void Mps<D, K>::separate() {
   const Stage stage(totals_.seconds["separate"]);
   const double distance = p_.method.separation_distance * l0_;
-  if (p_.method.shift > 0)
-    shift_particles(density_range_.w, density_range_.ref.n0, p_.method.shift, l0_, list_, near_, s_, change_);
   if (p_.method.separation == "part") part_close_pairs(distance, list_, s_, change_);
-  if (p_.method.separation == "collide") collide_close_pairs(distance, list_, s_, change_);
+  if (p_.method.separation == "collide") collide_close_pairs(distance, near_, list_, s_, collisions_, change_);
 }
 
 /// Removes fluid that went through a wall or over the rim, and counts it.
@@ -227,6 +246,7 @@ void Mps<D, K>::project_start() {
   const Scalars still = s_.pressure;
   std::fill(s_.pressure.begin(), s_.pressure.end(), 0);
   const double dt = step_cap(p_);
+  force_.setZero();
   solve_pressure(dt);
   correct_velocity(dt);
   s_.pressure = still;

@@ -2,7 +2,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "solver/neighbours.hpp"
+#include "solver/boundary.hpp"
 
 namespace seiche::solver {
 
@@ -11,19 +11,17 @@ using SparseView = Eigen::Map<const SparseMatrix>;
 
 /// The pressure equation (10) as A p = b, A sparse, symmetric, positive definite. Both sides of equation (10) are
 /// multiplied by -lambda n0/(2d), so that row i reads  sum_j w_ij (p_i - p_j) + c p_i = b_i.
-/// Unknowns are fluid and wall particles not at the free surface; the known p = 0 of those at the surface has moved to
-/// the right-hand side (as 0), dummies are left out: no flow through the wall.
 template <int D>
 class PressureSystem {
  public:
   /// @param diagonal c >= 0, the same in every row
-  template <class K>
-  void assemble(const K& w, double diagonal, const Neighbours<D>& list, const State<D>& s) {
+  template <class K, class Boundary>
+  void assemble(const K& w, double diagonal, const Boundary& boundary, const Neighbours<D>& list, const State<D>& s) {
     const int size = static_cast<int>(s.size());
     row_.assign(size, -1);
     particle_.clear();
     for (int i = 0; i < size; ++i)
-      if (s.kind[i] != Kind::dummy && !s.surface[i] && !list[i].empty()) {
+      if (boundary.unknown(i)) {
         row_[i] = static_cast<int>(particle_.size());
         particle_.push_back(i);
       }
@@ -40,48 +38,52 @@ class PressureSystem {
     for (int k = 0; k < rows; ++k) start_[k + 1] += start_[k];
     column_.resize(start_[rows]);
     value_.resize(start_[rows]);
+    right_.resize(rows);
 #pragma omp parallel for schedule(static)
-    for (int k = 0; k < rows; ++k) fill_row(w, diagonal, list, s, k);
+    for (int k = 0; k < rows; ++k) fill_row(w, diagonal, boundary, list, s, k);
   }
 
-  int rows() const {
-    return static_cast<int>(particle_.size());
-  }
+  int rows() const { return static_cast<int>(particle_.size()); }
   SparseView matrix() const {
     return {rows(), rows(), static_cast<int>(value_.size()), start_.data(), column_.data(), value_.data()};
   }
-  /// Particle of a row, and row of a particle (-1: its pressure is known).
-  int particle(int row) const {
-    return particle_[row];
-  }
-  int row(int particle) const {
-    return row_[particle];
-  }
+  /// b; holds what the boundary adds after assemble(), to which the caller adds the source.
+  Eigen::VectorXd& right() { return right_; }
+  /// Particle of a row, and row of a particle (-1: it has none).
+  int particle(int row) const { return particle_[row]; }
+  int row(int particle) const { return row_[particle]; }
 
  private:
-  template <class K>
-  void fill_row(const K& w, double diagonal, const Neighbours<D>& list, const State<D>& s, int k) {
+  template <class K, class Boundary>
+  void fill_row(const K& w, double diagonal, const Boundary& boundary, const Neighbours<D>& list, const State<D>& s,
+                int k) {
     const int i = particle_[k];
     int out = start_[k], place = -1;
-    double sum = diagonal;
+    double sum = diagonal + boundary.own(i), right = 0;
     for (int j : list[i]) {
-      if (s.kind[j] == Kind::dummy) continue;
       if (place < 0 && j > i) place = out++;
-      const double r2 = (s.position[j] - s.position[i]).squaredNorm();
+      const Vec<D> rij = s.position[j] - s.position[i];
+      const double r2 = rij.squaredNorm();
       if (!(r2 < w.support * w.support)) continue;
       const double weight = w(std::sqrt(r2));
-      sum += weight;
-      if (row_[j] < 0) continue;
-      column_[out] = row_[j];
-      value_[out++] = -weight;
+      if (row_[j] < 0) {
+        sum += boundary.on_diagonal(j, weight);
+        right += boundary.on_right(j, weight, rij);
+      } else {
+        sum += weight;
+        column_[out] = row_[j];
+        value_[out++] = -weight;
+      }
     }
     if (place < 0) place = out;
     column_[place] = k;
     value_[place] = sum;
+    right_[k] = right;
   }
 
   std::vector<int> row_, particle_, start_, column_;
   Scalars value_;
+  Eigen::VectorXd right_;
 };
 
 }  // namespace seiche::solver

@@ -12,13 +12,13 @@ struct Reference {
   int count = 0;      ///< neighbours within the support
 };
 
-/// n0 and lambda at a particle of the square (cubic) lattice of spacing l0, all neighbours present.
+/// n0 and lambda at a particle of the lattice of spacing l0 in D dimensions, all neighbours present.
 template <int D, class K>
 Reference lattice_reference(const K& w, double l0) {
   Reference ref;
   const int m = static_cast<int>(std::ceil(w.support / l0));
-  for (int k = D == 3 ? -m : 0; k <= (D == 3 ? m : 0); ++k)
-    for (int j = -m; j <= m; ++j)
+  for (int k = D > 2 ? -m : 0; k <= (D > 2 ? m : 0); ++k)
+    for (int j = D > 1 ? -m : 0; j <= (D > 1 ? m : 0); ++j)
       for (int i = -m; i <= m; ++i) {
         const double r = l0 * std::sqrt(double(i) * i + double(j) * j + double(k) * k);
         if (r == 0 || r >= w.support) continue;

@@ -24,46 +24,58 @@ void part_close_pairs(double distance, const Neighbours<D>& list, State<D>& s, V
 
 /// Perfectly inelastic collision: a pair closer than `distance` that approaches loses its velocity of approach, shared
 /// equally between two fluid particles (momentum is kept), wholly taken by the one that meets a wall. Koshizuka & Oka
-/// (1996) use such a collision at 0.5 l0. `change` is a buffer.
+/// (1996) use such a collision at 0.5 l0. Where both are near the free surface the distance is `near_surface_reach`
+/// times as long: with p given there, pressure can't keep those particles apart. All pairs act at once, so each is
+/// weakened by the number of collisions of its busier partner: energy can only fall. `collisions` and `change` are
+/// buffers.
+inline constexpr double near_surface_reach = 1.25;
+
 template <int D>
-void collide_close_pairs(double distance, const Neighbours<D>& list, State<D>& s, Vecs<D>& change) {
+void collide_close_pairs(double distance, const std::vector<std::uint8_t>& near, const Neighbours<D>& list, State<D>& s,
+                         std::vector<int>& collisions, Vecs<D>& change) {
   const int size = static_cast<int>(s.size());
+  const auto each_collision = [&](int i, auto f) {
+    for (int j : list[i]) {
+      const Vec<D> rij = s.position[j] - s.position[i];
+      const double reach = near[i] && near[j] ? near_surface_reach * distance : distance;
+      const double r2 = rij.squaredNorm(), approach = (s.velocity[j] - s.velocity[i]).dot(rij);
+      if (r2 < reach * reach && approach < 0) f(j, Vec<D>(approach / r2 * rij));
+    }
+  };
+#pragma omp parallel for schedule(static)
+  for (int i = 0; i < size; ++i) {
+    collisions[i] = 0;
+    if (s.kind[i] == Kind::fluid) each_collision(i, [&](int, const Vec<D>&) { ++collisions[i]; });
+  }
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     change[i].setZero();
     if (s.kind[i] != Kind::fluid) continue;
-    for (int j : list[i]) {
-      const Vec<D> rij = s.position[j] - s.position[i];
-      const double r2 = rij.squaredNorm();
-      if (!(r2 < distance * distance)) continue;
-      const double approach = (s.velocity[j] - s.velocity[i]).dot(rij);
-      if (approach < 0) change[i] += (s.kind[j] == Kind::fluid ? 0.5 : 1.0) * approach / r2 * rij;
-    }
+    each_collision(i, [&](int j, const Vec<D>& velocity) {
+      change[i] += (s.kind[j] == Kind::fluid ? 0.5 : 1.0) / std::max(collisions[i], collisions[j]) * velocity;
+    });
   }
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) s.velocity[i] += change[i];
 }
 
-/// Particle shifting: each fluid particle away from the free surface (`near` 0) moves by
-/// -strength l0^2 (d/n0) sum_j r_ij w/r_ij^2, towards where neighbours are sparse (after Xu, Stansby, Laurence 2009).
-/// Velocities stay. `moved` is a buffer.
+/// Particle shifting: the displacement -strength l0^2 (d/n0) sum_j r_ij w/r_ij^2 of each fluid particle away from the
+/// free surface (`near` 0), towards where neighbours are sparse (after Xu, Stansby, Laurence 2009) [m]; zero elsewhere.
 template <int D, class K>
-void shift_particles(const K& w, double n0, double strength, double l0, const Neighbours<D>& list,
-                     const std::vector<std::uint8_t>& near, State<D>& s, Vecs<D>& moved) {
+void particle_shift(const K& w, double n0, double strength, double l0, const Neighbours<D>& list,
+                    const std::vector<std::uint8_t>& near, const State<D>& s, Vecs<D>& out) {
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
-    moved[i].setZero();
-    if (s.kind[i] != Kind::fluid || near[i]) continue;
+    out[i].setZero();
+    if (s.kind[i] != Kind::fluid || near[i] || strength == 0) continue;
     for (int j : list[i]) {
       const Vec<D> rij = s.position[j] - s.position[i];
       const double r2 = rij.squaredNorm();
-      if (r2 < w.support * w.support) moved[i] -= w(std::sqrt(r2)) / r2 * rij;
+      if (r2 < w.support * w.support) out[i] -= w(std::sqrt(r2)) / r2 * rij;
     }
-    moved[i] *= strength * l0 * l0 * D / n0;
+    out[i] *= strength * l0 * l0 * D / n0;
   }
-#pragma omp parallel for schedule(static)
-  for (int i = 0; i < size; ++i) s.position[i] += moved[i];
 }
 
 }  // namespace seiche::solver

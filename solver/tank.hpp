@@ -84,7 +84,8 @@ State<D> fill_tank(const Parameters& p) {
         fluids.pressure.back() = p.fluid.density * p.gravity * (p.fluid.depth - r[1]);
       }
     } else {
-      (outside == 1 ? walls : dummies).add(r, outside == 1 ? Kind::wall : Kind::dummy, normal.normalized());
+      (outside == 1 ? walls : dummies)
+          .add(r, outside == 1 ? Kind::wall : Kind::dummy, normal.squaredNorm() > 1 ? Vec<D>(Vec<D>::Zero()) : normal);
     }
     for (int a = 0; ++c[a] == last[a] && a < D - 1; ++a) c[a] = first[a];
   }

@@ -1,0 +1,88 @@
+#pragma once
+#include <algorithm>
+
+#include "solver/neighbours.hpp"
+#include "solver/reference.hpp"
+
+// What bounds the liquid in the pressure equation. Each boundary answers: is the pressure of particle i unknown; what
+// does its row gain on the diagonal by itself; and what does it gain on the diagonal and on the right-hand side from a
+// neighbour j whose pressure is not an unknown.
+namespace seiche::solver {
+
+/// The paper's: wall particles are unknowns like the fluid, p = 0 at free-surface particles, dummies are left out.
+template <int D>
+struct PaperBoundary {
+  const State<D>& s;
+  bool unknown(int i) const { return s.kind[i] != Kind::dummy && !s.surface[i]; }
+  double own(int) const { return 0; }
+  double on_diagonal(int j, double weight) const { return s.kind[j] == Kind::dummy ? 0 : weight; }
+  double on_right(int, double, const Vec<D>&) const { return 0; }
+};
+
+/// (slope.n)(n.r): the part of slope.r across a wall; all of it where no single normal exists (n = 0, in a corner).
+template <int D>
+double rise_across(const Vec<D>& normal, const Vec<D>& slope, const Vec<D>& r) {
+  return normal.isZero() ? slope.dot(r) : slope.dot(normal) * normal.dot(r);
+}
+
+/// The stabilised scheme's: fluid is unknown but for the free surface, whose pressures are given. Behind a wall the
+/// pressure goes on with the slope that holds still liquid there, p_j = p_i + rho (f.n)(n.r_ij), f the body force: so a
+/// hydrostatic field is exact, and gravity enters through the walls alone.
+/// The neighbours that a particle below the surface lacks, n0 - n_i in all, are air beyond p = 0; pressures that go on
+/// linearly make them add 4/3 (n0 - n_i) p_i (a particle of the second layer lies 3/2 l0 below the zero, its air l0/2
+/// above it), which also keeps p continuous as a particle leaves the surface. After Shibata et al. (2015).
+template <int D>
+struct GhostBoundary {
+  const State<D>& s;
+  const Scalars& density;                 ///< n_i
+  const std::vector<std::uint8_t>& near;  ///< 1 near the surface
+  double density_n0;                      ///< n0 that belongs to n_i
+  double n0;                              ///< n0 of the Laplacian's own radius
+  Vec<D> slope;                           ///< rho f [Pa/m]
+  bool unknown(int i) const { return s.kind[i] == Kind::fluid && !s.surface[i]; }
+  double own(int i) const { return near[i] ? 4. / 3 * n0 * std::max(0.0, 1 - density[i] / density_n0) : 0; }
+  double on_diagonal(int j, double weight) const { return s.kind[j] == Kind::fluid ? weight : 0; }
+  double on_right(int j, double weight, const Vec<D>& rij) const {
+    return weight * (s.kind[j] == Kind::fluid ? s.pressure[j] : rise_across(s.normal[j], slope, rij));
+  }
+};
+
+/// Gives free-surface particles their pressure: the surface lies l0/2 above the topmost centres, so rho |f| l0/2 where
+/// half the neighbours are there as below a flat surface, and less in proportion for drops and films.
+template <int D>
+void set_surface_pressure(double slope, double l0, double flat_density, const Scalars& density, State<D>& s) {
+  const int size = static_cast<int>(s.size());
+  for (int i = 0; i < size; ++i)
+    if (s.surface[i])
+      s.pressure[i] = s.kind[i] == Kind::fluid ? 0.5 * l0 * slope * std::min(1.0, density[i] / flat_density) : 0;
+}
+
+/// Number density of a lattice particle in the topmost layer below a flat surface: half of what is there beside its own
+/// layer, and its layer.
+template <int D, class K>
+double flat_surface_density(const K& w, double l0) {
+  return 0.5 * (lattice_reference<D>(w, l0).n0 + lattice_reference<D - 1>(w, l0).n0);
+}
+
+/// Pressure at wall particles [Pa], for sensors and pictures: the mean over the fluid around of what each would have
+/// behind the wall. 0 where there is no fluid.
+template <int D, class K>
+void extend_to_walls(const K& w, const Vec<D>& slope, const Neighbours<D>& list, State<D>& s) {
+  const int size = static_cast<int>(s.size());
+#pragma omp parallel for schedule(static)
+  for (int i = 0; i < size; ++i) {
+    if (s.kind[i] != Kind::wall) continue;
+    double sum = 0, weights = 0;
+    for (int j : list[i]) {
+      if (s.kind[j] != Kind::fluid) continue;
+      const Vec<D> rji = s.position[i] - s.position[j];
+      const double r = rji.norm();
+      if (!(r < w.support)) continue;
+      sum += w(r) * (s.pressure[j] + rise_across(s.normal[i], slope, rji));
+      weights += w(r);
+    }
+    s.pressure[i] = weights > 0 ? std::max(0.0, sum / weights) : 0;
+  }
+}
+
+}  // namespace seiche::solver
