@@ -95,6 +95,8 @@ const std::vector<Option>& options() {
       {"method", "separation_distance", "l0", AT(parameters.method.separation_distance), Range{0, 1},
        "pairs nearer than this are separated"},
       {"method", "shift", "", AT(parameters.method.shift), Range{0, 1}, "strength of particle shifting; 0: none"},
+      {"method", "wall", "", AT(parameters.method.wall), Choices{"free-slip", "no-slip"},
+       "what walls do to the viscous term"},
 
       {"pressure", "solver", "", AT(parameters.pressure.solver), Choices{"iccg", "sor", "cholmod"},
        "of the pressure equation"},

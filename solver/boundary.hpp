@@ -81,7 +81,7 @@ void extend_to_walls(const K& w, const Vec<D>& slope, const Neighbours<D>& list,
       sum += w(r) * (s.pressure[j] + rise_across(s.normal[i], slope, rji));
       weights += w(r);
     }
-    s.pressure[i] = weights > 0 ? std::max(0.0, sum / weights) : 0;
+    s.pressure[i] = weights > 0 ? sum / weights : 0;
   }
 }
 

@@ -54,14 +54,15 @@ class Mps final : public Simulation {
   void predict(double dt);
   void refresh_neighbours();
   void find_surface();
-  void solve_pressure(double dt);
+  void solve_pressure(double dt, double surface_slope);
+  void clip_pressure();
   template <class Boundary>
   void assemble(const Boundary& boundary, double dt);
   void solve_system();
   void correct_velocity(double dt);
   void separate();
   void take_out_lost();
-  void project_start();
+  void project_start(double jump);
 
   /// Walls bound the pressure as ghosts in the stabilised order, as particles with pressures in the paper's.
   bool ghost_walls() const { return p_.method.order == "project-first"; }

@@ -27,9 +27,11 @@ Mps<D, K>::Mps(const Parameters& p, K kernel, double sample_interval)
   refresh_neighbours();
   find_surface();
   if (p.motion.start == "impulsive" && motion_.fastest() > 0) {
-    for (std::size_t i = 0; i < s_.size(); ++i)
-      if (s_.kind[i] == Kind::fluid) s_.velocity[i][0] = -motion_.velocity(0);
-    if (p.method.order == "project-first") project_start();
+    const double jump = motion_.velocity(0);
+    if (ghost_walls())
+      project_start(jump);
+    else
+      each_fluid([&](int i) { s_.velocity[i][0] = -jump; });
   }
   fastest_ = watch_.check_motion(s_);
   sensors_.read(s_);
@@ -74,7 +76,8 @@ void Mps<D, K>::step_move_first(double dt) {
   separate();
   refresh_neighbours();
   find_surface();
-  solve_pressure(dt);
+  solve_pressure(dt, p_.fluid.density * force_.norm());
+  clip_pressure();
   correct_velocity(dt);
   move_fluid([&](int i) { return Vec<D>(dt * change_[i]); });
 }
@@ -87,7 +90,8 @@ void Mps<D, K>::step_project_first(double dt) {
   old_velocity_ = s_.velocity;
   find_surface();
   predict(dt);
-  solve_pressure(dt);
+  solve_pressure(dt, p_.fluid.density * force_.norm());
+  clip_pressure();
   correct_velocity(dt);
   particle_shift(density_range_.w, density_range_.ref.n0, p_.method.shift, l0_, list_, near_, s_, change_);
   move_fluid([&](int i) { return Vec<D>(0.5 * dt * (old_velocity_[i] + s_.velocity[i]) + change_[i]); });
@@ -128,15 +132,16 @@ void Mps<D, K>::find_surface() {
   mark_near_surface(density_range_.w.support, list_, s_.position, s_.surface, near_);
 }
 
-/// Solves equation (10) for the pressure at the end of the step; negative pressures become 0.
+/// Solves equation (10) for the pressure at the end of the step.
+/// @param surface_slope of the pressure below the free surface [Pa/m], for ghost walls
 template <int D, class K>
-void Mps<D, K>::solve_pressure(double dt) {
+void Mps<D, K>::solve_pressure(double dt, double surface_slope) {
   const Vec<D> slope = p_.fluid.density * force_;
   const int size = static_cast<int>(s_.size());
   {
     const Stage stage(totals_.seconds["assembly"]);
     if (ghost_walls()) {
-      set_surface_pressure(slope.norm(), l0_, flat_density_, n_, s_);
+      set_surface_pressure(surface_slope, l0_, flat_density_, n_, s_);
       assemble(GhostBoundary<D>{s_, n_, near_, density_range_.ref.n0, laplacian_range_.ref.n0, slope}, dt);
     } else {
       assemble(PaperBoundary<D>{s_}, dt);
@@ -147,11 +152,17 @@ void Mps<D, K>::solve_pressure(double dt) {
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     if (system_.row(i) >= 0)
-      s_.pressure[i] = std::max(0.0, solution_[system_.row(i)]);
+      s_.pressure[i] = solution_[system_.row(i)];
     else if (!ghost_walls() || s_.kind[i] != Kind::fluid)
       s_.pressure[i] = 0;
   }
   if (ghost_walls()) extend_to_walls(density_range_.w, slope, list_, s_);
+}
+
+/// Negative pressures become 0: particles that pull at each other clump.
+template <int D, class K>
+void Mps<D, K>::clip_pressure() {
+  for (double& pressure : s_.pressure) pressure = std::max(0.0, pressure);
 }
 
 template <int D, class K>
@@ -239,15 +250,16 @@ void Mps<D, K>::take_out_lost() {
   find_surface();
 }
 
-/// Impulsive start: the jump of the tank's velocity is an impulse, which makes the flow divergence-free at once.
-/// Projects the velocity over one step's length and forgets the impulse's pressure, which no finite step could report.
+/// Impulsive start: the jump of the tank's velocity is an impulse, a force -jump/dt over one step of length dt without
+/// gravity. The velocity that it leaves doesn't depend on dt; its pressure, which no finite step could report, is
+/// forgotten.
 template <int D, class K>
-void Mps<D, K>::project_start() {
+void Mps<D, K>::project_start(double jump) {
   const Scalars still = s_.pressure;
   std::fill(s_.pressure.begin(), s_.pressure.end(), 0);
   const double dt = step_cap(p_);
-  force_.setZero();
-  solve_pressure(dt);
+  force_[0] = -jump / dt;
+  solve_pressure(dt, 0);
   correct_velocity(dt);
   s_.pressure = still;
 }

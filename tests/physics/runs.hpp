@@ -1,0 +1,59 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "solver/simulation.hpp"
+
+namespace seiche::physics {
+
+/// The tank of Pan, Zhang and Lu (2008): 0.6 m x 0.2 m of water, surge of 5 mm at 1 Hz, impulsive start.
+inline Parameters pan2008(const std::string& preset, double spacing) {
+  Parameters p;
+  apply_preset(p, preset);
+  p.motion = {"surge", 0.005, 1.0, "impulsive"};
+  p.particles.spacing = spacing;
+  return p;
+}
+
+inline Parameters still_tank(double length, double depth, double height, double spacing) {
+  Parameters p;
+  p.tank.length = length;
+  p.tank.height = height;
+  p.fluid.depth = depth;
+  p.particles.spacing = spacing;
+  return p;
+}
+
+/// Steps to `end` with a frame every `interval`, which `look` sees.
+inline void run(Simulation& simulation, double interval, double end, const std::function<void(const Frame&)>& look) {
+  const long frames = std::lround(end / interval);
+  for (long k = 0; k <= frames; ++k) {
+    while (simulation.time() < k * interval) simulation.step(k * interval);
+    look(*simulation.frame(k));
+  }
+}
+
+/// Root mean square over the fluid of p - rho g (depth - y), over rho g depth [-].
+inline double hydrostatic_error(const Frame& frame, const Parameters& p) {
+  const double weight = p.fluid.density * p.gravity;
+  double sum = 0;
+  long n = 0;
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    if (frame.kind[i] != Kind::fluid) continue;
+    const double error = frame.pressure[i] - weight * (p.fluid.depth - frame.position[i][1]);
+    sum += error * error;
+    ++n;
+  }
+  return std::sqrt(sum / n) / (weight * p.fluid.depth);
+}
+
+inline double fastest(const Frame& frame) {
+  double v2 = 0;
+  for (const Float3& v : frame.velocity)
+    v2 = std::max(v2, static_cast<double>(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+  return std::sqrt(v2);
+}
+
+}  // namespace seiche::physics

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include "tests/physics/runs.hpp"
+
+// Still water must stay still, at the hydrostatic pressure, whatever the tank's size.
+namespace seiche::physics {
+namespace {
+
+struct Worst {
+  double pressure_error = 0, speed = 0, corner = 0, level = 0;
+};
+
+Worst watch(const Parameters& p, double settle, double end) {
+  const auto simulation = make_simulation(p, 0.1);
+  Worst worst;
+  run(*simulation, end / 20, end, [&](const Frame& frame) {
+    if (frame.time < settle) return;
+    worst.pressure_error = std::max(worst.pressure_error, hydrostatic_error(frame, p));
+    worst.speed = std::max(worst.speed, fastest(frame));
+    for (std::size_t k = 0; k < frame.readings.time.size(); ++k) {
+      const double* row = &frame.readings.values[3 * k];
+      worst.corner = std::max(worst.corner, std::abs(row[0] / (p.fluid.density * p.gravity * p.fluid.depth) - 1));
+      worst.level = std::max({worst.level, std::abs(row[1]), std::abs(row[2])});
+    }
+  });
+  EXPECT_EQ(simulation->statistics().leaked, 0);
+  return worst;
+}
+
+TEST(StillTank, KeepsHydrostaticPressureIn2D) {
+  const Parameters p = still_tank(0.5, 0.2, 0.3, 0.01);
+  const Worst worst = watch(p, 0.4, 1.0);
+  EXPECT_LT(worst.pressure_error, 0.01);
+  EXPECT_LT(worst.corner, 0.01);
+  EXPECT_LT(worst.speed, 0.03);
+  EXPECT_LT(worst.level, 0.35 * p.particles.spacing);
+}
+
+// The same tank forty times as long. By Froude's law all scaled figures are the same but for viscosity; speeds scale by
+// the root of length and times too.
+TEST(StillTank, KeepsHydrostaticPressureAtTwentyMetres) {
+  const Parameters p = still_tank(20, 8, 12, 0.4);
+  const Worst worst = watch(p, 0.4 * std::sqrt(40), 1.0 * std::sqrt(40));
+  EXPECT_LT(worst.pressure_error, 0.01);
+  EXPECT_LT(worst.corner, 0.01);
+  EXPECT_LT(worst.speed, 0.03 * std::sqrt(40));
+  EXPECT_LT(worst.level, 0.35 * p.particles.spacing);
+}
+
+TEST(StillTank, KeepsHydrostaticPressureIn3D) {
+  Parameters p = still_tank(0.2, 0.1, 0.16, 0.02);
+  p.tank.width = 0.12;
+  const Worst worst = watch(p, 0.1, 0.3);
+  EXPECT_LT(worst.pressure_error, 0.02);
+  EXPECT_LT(worst.corner, 0.03);
+  EXPECT_LT(worst.speed, 0.05);
+}
+
+// The pressure solvers are three ways to one answer.
+TEST(StillTank, IsTheSameForEveryPressureSolver) {
+  FramePtr exact;
+  for (const char* solver : {"cholmod", "iccg", "sor"}) {
+    Parameters p = pan2008("stabilised", 0.02);
+    p.pressure.solver = solver;
+    p.pressure.tolerance = 1e-10;
+    p.pressure.max_iterations = 20000;
+    const auto simulation = make_simulation(p, 0);
+    while (simulation->time() < 0.05) simulation->step(0.05);
+    const FramePtr frame = simulation->frame(1);
+    if (!exact) exact = frame;
+    for (std::size_t i = 0; i < frame->size(); ++i) EXPECT_NEAR(frame->pressure[i], exact->pressure[i], 0.05) << solver;
+  }
+}
+
+}  // namespace
+}  // namespace seiche::physics
