@@ -4,9 +4,9 @@
 namespace seiche::solver {
 
 /// Divergence of the velocity at fluid and wall particles [1/s]:
-/// (d/n0) sum_j (u_j - u_i).r_ij w/r_ij^2 (Khayyer & Gotoh 2009, Tanaka & Masunaga 2010). Walls stand still. Behind one the
-/// fluid's velocity along the normal goes on mirrored, u_j.n = -u_i.n, so that over the layers beside a wall the sum is the
-/// flow that the wall stops, all of it; along the wall nothing counts, so that fluid may slide.
+/// (d/n0) sum_j (u_j - u_i).r_ij w/r_ij^2 (Khayyer & Gotoh 2009, Tanaka & Masunaga 2010). Walls stand still. Behind one
+/// the fluid's velocity along the normal goes on mirrored, u_j.n = -u_i.n, so that over the layers beside a wall the
+/// sum is the flow that the wall stops, all of it; along the wall nothing counts, so that fluid may slide.
 template <int D, class K>
 void velocity_divergence(const K& w, double n0, const Neighbours<D>& list, const State<D>& s, Scalars& out) {
   const int size = static_cast<int>(s.size());

@@ -2,8 +2,8 @@
 
 #include "tests/physics/runs.hpp"
 
-// What the paper found of its own scheme: kernels 2 and 5 can't be used, kernel 3 can. Nothing is arranged: the runs are
-// those of scenes/pan2008-paper.toml at 10 mm.
+// What the paper found of its own scheme: kernels 2 and 5 can't be used, kernel 3 can. Nothing is arranged: the runs
+// are those of scenes/pan2008-paper.toml at 10 mm.
 namespace seiche::physics {
 namespace {
 

@@ -25,8 +25,8 @@ TEST(OpenTank, TakesOutAndCountsWhatLeavesOverTheRim) {
   EXPECT_EQ(totals.fluid_particles, before - totals.spilled - totals.leaked);
 }
 
-// Velocity relative to the tank right after its velocity has jumped to U, by linear potential theory, which is exact for an
-// impulse: u = -grad sum_n B_n cos(k_n x) cosh(k_n y)/cosh(k_n h), B_n = 4 L U/(n pi)^2, k_n = n pi/L, n odd.
+// Velocity relative to the tank right after its velocity has jumped to U, by linear potential theory, which is exact
+// for an impulse: u = -grad sum_n B_n cos(k_n x) cosh(k_n y)/cosh(k_n h), B_n = 4 L U/(n pi)^2, k_n = n pi/L, n odd.
 std::array<double, 2> after_jump(double x, double y, double length, double depth, double jump) {
   std::array<double, 2> u{};
   for (int n = 1; n <= 99; n += 2) {
