@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "apps/options.hpp"
+#include "apps/scene_file.hpp"
+#include "tests/unit/apps/files.hpp"
+
+// The README and the scenes that come with the program must not fall behind it.
+namespace seiche::apps {
+namespace {
+
+const std::filesystem::path source = SEICHE_SOURCE_DIR;
+
+TEST(Readme, NamesEveryKey) {
+  const std::string readme = test::read_file(source / "README.md");
+  for (const Option& option : options())
+    EXPECT_NE(readme.find(fmt::format("`{}`", option.key)), std::string::npos) << dotted(option);
+}
+
+TEST(Scenes, AreAllGoodAndNamedInTheReadme) {
+  const std::string readme = test::read_file(source / "README.md");
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(source / "scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++count;
+    EXPECT_NO_THROW(read_scene(entry.path().string(), {})) << entry.path();
+    EXPECT_NE(readme.find(fmt::format("`{}`", entry.path().filename().string())), std::string::npos) << entry.path();
+  }
+  EXPECT_GE(count, 5);
+}
+
+}  // namespace
+}  // namespace seiche::apps
