@@ -1,0 +1,57 @@
+#pragma once
+#include "solver/boundary.hpp"
+#include "solver/density.hpp"
+#include "solver/kernels.hpp"
+#include "solver/pressure_system.hpp"
+#include "solver/tank.hpp"
+#include "tests/unit/solver/cloud.hpp"
+
+namespace seiche::solver::test {
+
+/// 20 x 15 cells (x 12) filled to 10.
+template <int D>
+Parameters small_tank() {
+  Parameters p;
+  p.particles.spacing = l0;
+  p.tank.length = 0.2;
+  p.tank.height = 0.15;
+  if (D == 3) p.tank.width = 0.12;
+  p.fluid.depth = 0.1;
+  return p;
+}
+
+/// The small tank at rest as a step finds it: pairs, densities, free surface. KF3, r_e = 2.6 l0.
+template <int D>
+struct StillTank {
+  Parameters p;
+  State<D> s = fill_tank<D>(p);
+  KF3 w{2.6 * l0};
+  Reference ref = lattice_reference<D>(w, l0);
+  Neighbours<D> list = listed(s, w.support, 0.3 * l0);
+  Scalars n = Scalars(s.size());
+  std::vector<int> count = std::vector<int>(s.size());
+  std::vector<std::uint8_t> near = std::vector<std::uint8_t>(s.size());
+  Vec<D> slope = -p.fluid.density * p.gravity * Vec<D>::Unit(1);
+
+  explicit StillTank(const Parameters& parameters = small_tank<D>()) : p(parameters) { find_surface(); }
+
+  void find_surface() {
+    number_density(w, list, s.position, n, count);
+    mark_free_surface(ref, 0.97, 0.85, n, count, s.kind, s.surface);
+    mark_near_surface(w.support, list, s.position, s.surface, near);
+  }
+
+  /// rho g (depth - y).
+  double hydrostatic(const Vec<D>& r) const { return slope.norm() * (p.fluid.depth - r[1]); }
+
+  PaperBoundary<D> paper() const { return {s}; }
+  GhostBoundary<D> ghost() const { return {s, n, near, ref.n0, ref.n0, slope}; }
+  template <class Boundary>
+  PressureSystem<D> system(const Boundary& boundary, double diagonal = 0) const {
+    PressureSystem<D> system;
+    system.assemble(w, diagonal, boundary, list, s);
+    return system;
+  }
+};
+
+}  // namespace seiche::solver::test
