@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include "solver/simulation.hpp"
+
+namespace seiche {
+namespace {
+
+/// Expects the parameters to be refused with a message that has every one of the words.
+void expect_refused(void (*spoil)(Parameters&), const std::vector<std::string>& words) {
+  Parameters p;
+  spoil(p);
+  try {
+    check_parameters(p);
+    ADD_FAILURE() << "accepted; expected " << words[0];
+  } catch (const BadParameters& error) {
+    for (const auto& word : words)
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << word << " in: " << error.what();
+  }
+}
+
+TEST(CheckParameters, AcceptsTheDefaultsInBothDimensions) {
+  Parameters p;
+  EXPECT_NO_THROW(check_parameters(p));
+  p.tank.width = 0.1;
+  p.fluid.column = 0.15;
+  p.fluid.depth = p.tank.height;
+  EXPECT_NO_THROW(check_parameters(p));
+}
+
+TEST(CheckParameters, WantsWholeNumbersOfSpacings) {
+  expect_refused([](Parameters& p) { p.tank.length = 0.603; }, {"tank.length = 0.603 m", "120.6", "0.6", "0.605"});
+  expect_refused([](Parameters& p) { p.tank.height = 0.4012; }, {"tank.height = 0.4012 m", "0.4 or 0.405"});
+  expect_refused([](Parameters& p) { p.tank.width = 0.1024; }, {"tank.width = 0.1024 m"});
+  expect_refused([](Parameters& p) { p.fluid.depth = 0.2001; }, {"fluid.depth = 0.2001 m"});
+  expect_refused([](Parameters& p) { p.fluid.column = 0.0524; }, {"fluid.column = 0.0524 m"});
+}
+
+TEST(CheckParameters, ForgivesTheRoundingOfDecimals) {
+  Parameters p;
+  p.particles.spacing = 0.1 + 0.2;  // not 0.3
+  p.tank = {3, 2.4, 1.2, true};
+  p.fluid.depth = 1.2;
+  EXPECT_NO_THROW(check_parameters(p));
+}
+
+TEST(CheckParameters, WantsFourSpacingsAtLeast) {
+  expect_refused([](Parameters& p) { p.fluid.depth = 0.015; }, {"fluid.depth", "3 spacings", "4 at least"});
+  Parameters p;
+  p.fluid.depth = 0.02;
+  EXPECT_NO_THROW(check_parameters(p));
+}
+
+TEST(CheckParameters, WantsTheWaterInsideTheTank) {
+  expect_refused([](Parameters& p) { p.fluid.depth = 0.405; }, {"fluid.depth = 0.405 m", "tank.height = 0.4 m"});
+  expect_refused([](Parameters& p) { p.fluid.column = 0.605; }, {"fluid.column = 0.605 m", "tank.length = 0.6 m"});
+}
+
+TEST(CheckParameters, LimitsTheNumberOfParticles) {
+  expect_refused([](Parameters& p) { p.particles.spacing = 1e-5; }, {"particles.spacing = 1e-05 m", "1e8"});
+}
+
+TEST(Preset, PaperIsThePapersScheme) {
+  Parameters p;
+  apply_preset(p, "paper");
+  EXPECT_EQ(p.preset, "paper");
+  EXPECT_EQ(p.method.kernel, "KF3");
+  EXPECT_EQ(p.method.order, "move-first");
+  EXPECT_EQ(p.method.source, "density");
+  EXPECT_EQ(p.method.gradient, "minimum");
+  EXPECT_EQ(p.method.surface, "density");
+  EXPECT_EQ(p.method.separation, "part");
+  EXPECT_EQ(p.method.separation_distance, 0.5);
+  EXPECT_EQ(p.method.shift, 0);
+  EXPECT_EQ(p.method.wall, "no-slip");
+  EXPECT_EQ(p.time.courant, 0.1);
+}
+
+TEST(Preset, StabilisedTakesEverythingBack) {
+  const Parameters fresh;
+  Parameters p;
+  apply_preset(p, "paper");
+  apply_preset(p, "stabilised");
+  EXPECT_EQ(p.preset, "stabilised");
+  EXPECT_EQ(p.method.kernel, fresh.method.kernel);
+  EXPECT_EQ(p.method.radius_density, fresh.method.radius_density);
+  EXPECT_EQ(p.method.radius_laplacian, fresh.method.radius_laplacian);
+  EXPECT_EQ(p.method.order, "project-first");
+  EXPECT_EQ(p.method.source, "mixed");
+  EXPECT_EQ(p.method.gradient, "corrected");
+  EXPECT_EQ(p.method.surface, "density-and-count");
+  EXPECT_EQ(p.method.separation, "collide");
+  EXPECT_EQ(p.method.shift, fresh.method.shift);
+  EXPECT_EQ(p.method.wall, fresh.method.wall);
+  EXPECT_EQ(p.time.courant, fresh.time.courant);
+}
+
+TEST(Preset, LeavesTheCaseAlone) {
+  Parameters p;
+  p.fluid.depth = 0.3;
+  p.tank.length = 0.9;
+  p.motion = {"surge", 0.01, 2, "smooth"};
+  p.time.end = 3;
+  apply_preset(p, "paper");
+  EXPECT_EQ(p.fluid.depth, 0.3);
+  EXPECT_EQ(p.tank.length, 0.9);
+  EXPECT_EQ(p.motion.amplitude, 0.01);
+  EXPECT_EQ(p.time.end, 3);
+}
+
+TEST(Preset, OfAnotherNameIsRefused) {
+  Parameters p;
+  EXPECT_THROW(apply_preset(p, "papers"), BadParameters);
+  EXPECT_EQ(p.preset, "stabilised");
+}
+
+}  // namespace
+}  // namespace seiche
