@@ -2,24 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
-#include <set>
 
-#include "tests/unit/solver/still_tank.hpp"
+#include "tests/unit/solver/surging.hpp"
 
 namespace seiche {
 namespace {
 
-/// A tank of 10 x 10 cells (x 5), half full, that surges.
-Parameters surging(int dimension) {
-  Parameters p;
-  p.particles.spacing = 0.01;
-  p.tank = {0.1, 0.1, dimension == 3 ? 0.05 : 0, true};
-  p.fluid.depth = 0.05;
-  p.motion = {"surge", 0.01, 2, "impulsive"};
-  p.threads = 2;
-  return p;
-}
+using test::surging;
 
 struct SimulationIn : ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Dimension, SimulationIn, ::testing::Values(2, 3));
@@ -109,77 +100,6 @@ TEST_P(SimulationIn, TheImpulsiveStartOfThePaperIsTheTanksVelocity) {
       EXPECT_EQ(frame->velocity[k], (Float3{moves ? -speed : 0.0f, 0, 0}));
     }
   }
-}
-
-TEST_P(SimulationIn, NoConvergenceEndsTheRun) {
-  Parameters p = surging(GetParam());
-  p.pressure.max_iterations = 1;
-  p.pressure.tolerance = 1e-12;
-  try {
-    const auto simulation = make_simulation(p, 0);
-    while (simulation->time() < 0.05) simulation->step(0.05);
-    FAIL() << "nothing was thrown";
-  } catch (const RunFailure& failure) {
-    for (const char* word : {"t = ", "step ", "'iccg' did not converge", "1 iterations", "1e-12"})
-      EXPECT_NE(std::string(failure.what()).find(word), std::string::npos) << word << " in: " << failure.what();
-  }
-}
-
-TEST(Simulation, OfAnOpenTankTakesOutAndCountsWhatSpills) {
-  Parameters p = surging(2);
-  p.tank = {0.1, 0.05, 0, false};
-  p.motion = {"surge", 0.05, 3, "impulsive"};
-  const auto simulation = make_simulation(p, 0);
-  const FramePtr before = simulation->frame(0);
-  const Statistics& totals = simulation->statistics();
-  while (totals.spilled == 0 && simulation->time() < 0.5) simulation->step(0.5);
-  ASSERT_GT(totals.spilled, 0) << "a tank filled to its rim spills when it jumps";
-  EXPECT_EQ(totals.leaked, 0);
-  EXPECT_EQ(totals.fluid_particles, 50 - totals.spilled);
-  const FramePtr after = simulation->frame(1);
-  EXPECT_EQ(long(after->size()), long(before->size()) - totals.spilled);
-  const std::set<std::uint32_t> left(after->id.begin(), after->id.end());
-  EXPECT_EQ(left.size(), after->size()) << "every id once";
-  EXPECT_TRUE(std::is_sorted(after->id.begin(), after->id.end()));
-  EXPECT_EQ(std::count(after->kind.begin(), after->kind.end(), Kind::fluid), 50 - totals.spilled);
-  simulation->step(simulation->time() + 1e-4);  // and the run goes on
-}
-
-TEST(MakeSimulation, RefusesUnknownNamesAndBadParameters) {
-  Parameters p = surging(2);
-  p.method.kernel = "KF6";
-  EXPECT_THROW(make_simulation(p, 0), BadParameters);
-  p = surging(3);
-  p.method.kernel = "kf3";
-  EXPECT_THROW(make_simulation(p, 0), BadParameters);
-  p = surging(2);
-  p.pressure.solver = "multigrid";
-  EXPECT_THROW(make_simulation(p, 0), std::invalid_argument);
-  p = surging(2);
-  p.fluid.depth = 0.055;
-  EXPECT_THROW(make_simulation(p, 0), BadParameters);
-}
-
-TEST(MakeSimulation, TakesEveryKernelAndSolver) {
-  for (const char* kernel : {"KF1", "KF2", "KF3", "KF4", "KF5"})
-    for (const char* solver : {"iccg", "sor", "cholmod"}) {
-      Parameters p = surging(2);
-      p.motion.type = "none";
-      p.method.kernel = kernel;
-      p.pressure.solver = solver;
-      const auto simulation = make_simulation(p, 0);
-      simulation->step(1e-3);
-      EXPECT_EQ(simulation->statistics().steps, 1) << kernel << ' ' << solver;
-      EXPECT_GT(simulation->statistics().iterations, 0) << kernel << ' ' << solver;
-    }
-}
-
-TEST(Motion, ExtentIsTheAmplitudeOfASurge) {
-  Parameters p = surging(2);
-  p.motion.amplitude = -0.02;
-  EXPECT_EQ(motion_extent(p), (Double3{0.02, 0, 0}));
-  p.motion.type = "none";
-  EXPECT_EQ(motion_extent(p), (Double3{0, 0, 0}));
 }
 
 }  // namespace

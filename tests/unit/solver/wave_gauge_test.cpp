@@ -51,15 +51,15 @@ TYPED_TEST(WaveGaugeOf, FollowsARiseFinerThanTheSpacing) {
 TYPED_TEST(WaveGaugeOf, DoesNotCountALoneDropAbove) {
   const double still = this->level(0.105);
   this->add_drop(0.105, 0.135);
-  EXPECT_EQ(this->level(0.105), still);
+  EXPECT_NEAR(this->level(0.105), still, 1e-12);
 }
 
-// Disabled while the walls beside a drop make phi larger than 1/2.
+// Disabled while, in 2-D, the wall beside a drop makes its phi 0.6.
 TYPED_TEST(WaveGaugeOf, DISABLED_DoesNotCountALoneDropAtAWall) {
   for (double x : {0., 0.2}) {
     const double still = this->level(x);
     this->add_drop(x == 0 ? 0.005 : 0.195, 0.135);
-    EXPECT_EQ(this->level(x), still) << "x = " << x;
+    EXPECT_NEAR(this->level(x), still, 1e-12) << "x = " << x;
   }
 }
 

@@ -1,0 +1,17 @@
+#pragma once
+#include "solver/parameters.hpp"
+
+namespace seiche::test {
+
+/// A tank of 10 x 10 cells (x 5), half full, that surges.
+inline Parameters surging(int dimension) {
+  Parameters p;
+  p.particles.spacing = 0.01;
+  p.tank = {0.1, 0.1, dimension == 3 ? 0.05 : 0, true};
+  p.fluid.depth = 0.05;
+  p.motion = {"surge", 0.01, 2, "impulsive"};
+  p.threads = 2;
+  return p;
+}
+
+}  // namespace seiche::test
