@@ -1,4 +1,6 @@
 #pragma once
+#include <cmath>
+
 #include "solver/parameters.hpp"
 
 namespace seiche::solver {
@@ -12,20 +14,27 @@ inline constexpr double definite = 1e-7;
 
 /// Right-hand side of the pressure equation over -1: rho times the rate at which the density must fall [kg/(m^3 s^2)].
 ///  density: (rho/dt^2) (n - n0)/n0, equation (10);
-///  mixed:   rho (-div u*/dt + (gamma/dt^2) (n - n0)/n0), gamma = 0.02 (Tanaka & Masunaga 2010). Near the free surface,
-///           where neighbours lack, n < n0 means nothing and is dropped.
+///  mixed:   (rho/dt) (-div u* + rate (n - n0)/n0) (Tanaka & Masunaga 2010). They write gamma/dt for the rate; a rate
+///  that
+///           doesn't change with dt keeps the two terms in balance when it does, else each change is a pressure spike.
+///           0.1 sqrt(g H)/l0 is their gamma of 0.02 at the longest step of alpha = 0.2. Near the free surface, where
+///           neighbours lack, n < n0 means nothing and is dropped.
 struct Source {
-  static constexpr double gamma = 0.02;
   bool mixed;
   double density;  ///< rho [kg/m^3]
+  double rate;     ///< [1/s]
   double dt;       ///< [s]
 
-  Source(const Parameters& p, double step) : mixed(p.method.source == "mixed"), density(p.fluid.density), dt(step) {}
+  Source(const Parameters& p, double step)
+      : mixed(p.method.source == "mixed"),
+        density(p.fluid.density),
+        rate(0.1 * std::sqrt(p.gravity * p.fluid.depth) / p.particles.spacing),
+        dt(step) {}
 
   double operator()(double divergence, double excess, bool near_surface) const {
     if (!mixed) return density * excess / (dt * dt);
     if (near_surface && excess < 0) excess = 0;
-    return density * (-divergence / dt + gamma * excess / (dt * dt));
+    return density / dt * (-divergence + rate * excess);
   }
 };
 
