@@ -68,6 +68,11 @@ void check_parameters(const Parameters& p) {
   if (p.fluid.column > p.tank.length)
     throw BadParameters(
         fmt::format("fluid.column = {:.6g} m is more than tank.length = {:.6g} m", p.fluid.column, p.tank.length));
+  if (p.method.order == "move-first" && p.method.shift > 0)
+    throw BadParameters(
+        fmt::format("method.shift = {:.6g} needs method.order = project-first: the other order moves "
+                    "particles twice and leaves no place for a shift",
+                    p.method.shift));
   const double particles = p.tank.length * p.tank.height / (l0 * l0) * (p.tank.width > 0 ? p.tank.width / l0 : 1);
   if (particles > 1e8)
     throw BadParameters(

@@ -55,6 +55,10 @@ TEST(CheckParameters, WantsTheWaterInsideTheTank) {
   expect_refused([](Parameters& p) { p.fluid.column = 0.605; }, {"fluid.column = 0.605 m", "tank.length = 0.6 m"});
 }
 
+TEST(CheckParameters, WantsAShiftOnlyWhereItIsApplied) {
+  expect_refused([](Parameters& p) { p.method.order = "move-first"; }, {"method.shift", "project-first"});
+}
+
 TEST(CheckParameters, LimitsTheNumberOfParticles) {
   expect_refused([](Parameters& p) { p.particles.spacing = 1e-5; }, {"particles.spacing = 1e-05 m", "1e8"});
 }
