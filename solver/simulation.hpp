@@ -45,7 +45,8 @@ class Simulation {
   virtual ~Simulation() = default;
 
   /// Takes one step, of a length by the rule of equation (18), such that some step ends exactly at `until`:
-  /// what is left to `until` is split into equal steps. Throws RunFailure, after which only frames taken before are of use.
+  /// what is left to `until` is split into equal steps. Throws RunFailure, after which only frames taken before are of
+  /// use.
   virtual void step(double until) = 0;
 
   virtual double time() const = 0;
