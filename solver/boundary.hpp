@@ -19,10 +19,11 @@ struct PaperBoundary {
   double on_right(int, double, const Vec<D>&) const { return 0; }
 };
 
-/// (slope.n)(n.r): the part of slope.r across a wall; all of it where no single normal exists (n = 0, in a corner).
+/// (slope.n)(n.r), the part of slope.r across a wall; 0 in a corner, where no single normal exists (n = 0). The slope
+/// along a wall is left out on both sides of a particle, so in a corner both parts are.
 template <int D>
 double rise_across(const Vec<D>& normal, const Vec<D>& slope, const Vec<D>& r) {
-  return normal.isZero() ? slope.dot(r) : slope.dot(normal) * normal.dot(r);
+  return slope.dot(normal) * normal.dot(r);
 }
 
 /// The stabilised scheme's: fluid is unknown but for the free surface, whose pressures are given. Behind a wall the

@@ -38,13 +38,13 @@ double pressure_at(const Vec<D>& point, double l0, const State<D>& s) {
 
 /// Height of the water surface above the floor at x (and z) [m]: the highest crossing of half the fluid fraction
 ///   phi(y) = sum_fluid w l0^D / (integral of w - sum_wall w l0^D),
-/// w being KF3 of support 2 l0, so that a lone drop (phi < 0.4) doesn't count and a wall beside the gauge takes nothing
-/// away. 0 where there is no water.
+/// w being KF3 of support 2 l0, so that a wall beside the gauge takes nothing away. Spray, fluid with fewer than two
+/// fluid neighbours within 1.5 l0, doesn't count. 0 where there is no water.
 template <int D>
 class WaveGauge {
  public:
   WaveGauge(const Vec<D>& foot, double height, double l0) : foot_(foot), height_(height), l0_(l0), w_{2 * l0} {
-    // The integral of KF3 is pi/10 r_e^2 in 2-D and 4 pi/105 ... in 3-D; the lattice sum stands for both.
+    // The sum over a lattice about a corner of its cells stands for the integral of w: pi/5 r_e^2 in 2-D.
     const int m = 2;
     for (int k = D == 3 ? -m : 0; k <= (D == 3 ? m : 0); ++k)
       for (int j = -m; j <= m; ++j)
@@ -61,8 +61,12 @@ class WaveGauge {
       across[1] = 0;
       if (!(across.squaredNorm() < w_.support * w_.support)) continue;
       strip_.push_back(static_cast<int>(j));
-      if (s.kind[j] == Kind::fluid) top = std::max(top, s.position[j][1]);
     }
+    water_.clear();
+    for (int j : strip_)
+      if (!is_spray(s, j)) water_.push_back(j);
+    for (int j : water_)
+      if (s.kind[j] == Kind::fluid) top = std::max(top, s.position[j][1]);
     const double dy = 0.25 * l0_;
     double y = std::min(top + w_.support, height_), above = fraction(s, y);
     if (above >= 0.5) return y;
@@ -76,11 +80,19 @@ class WaveGauge {
   }
 
  private:
+  bool is_spray(const State<D>& s, int i) const {
+    if (s.kind[i] != Kind::fluid) return false;
+    const auto close = [&](int j) {
+      return j != i && s.kind[j] == Kind::fluid && (s.position[j] - s.position[i]).norm() < 1.5 * l0_;
+    };
+    return std::count_if(strip_.begin(), strip_.end(), close) < 2;
+  }
+
   double fraction(const State<D>& s, double y) const {
     Vec<D> point = foot_;
     point[1] = y;
     double fluid = 0, solid = 0;
-    for (int j : strip_) (s.kind[j] == Kind::fluid ? fluid : solid) += w_((s.position[j] - point).norm());
+    for (int j : water_) (s.kind[j] == Kind::fluid ? fluid : solid) += w_((s.position[j] - point).norm());
     return fluid / std::max(whole_ - solid, 0.1 * whole_);
   }
 
@@ -88,7 +100,7 @@ class WaveGauge {
   double height_, l0_;
   KF3 w_;
   double whole_ = 0;
-  std::vector<int> strip_;
+  std::vector<int> strip_, water_;  ///< particles around the gauge's line, and those of them that aren't spray
 };
 
 /// The sensors of a run, read at exact multiples of the sample interval by linear interpolation between steps.

@@ -53,9 +53,27 @@ void check_whole(const char* key, double length, double l0) {
         length, std::lround(cells), l0));
 }
 
+void check_name(const char* key, const std::string& name, std::initializer_list<const char*> names) {
+  std::string all;
+  for (const char* good : names) {
+    if (name == good) return;
+    all += all.empty() ? good : std::string(", ") + good;
+  }
+  throw BadParameters(fmt::format("{} = '{}' is none of {}", key, name, all));
+}
+
 }  // namespace
 
 void check_parameters(const Parameters& p) {
+  check_name("motion.type", p.motion.type, {"none", "surge"});
+  check_name("motion.start", p.motion.start, {"impulsive", "smooth"});
+  check_name("method.order", p.method.order, {"project-first", "move-first"});
+  check_name("method.source", p.method.source, {"mixed", "density"});
+  check_name("method.gradient", p.method.gradient, {"corrected", "minimum", "plain"});
+  check_name("method.surface", p.method.surface, {"density-and-count", "density"});
+  check_name("method.separation", p.method.separation, {"collide", "part", "none"});
+  check_name("method.wall", p.method.wall, {"free-slip", "no-slip"});
+  check_name("pressure.solver", p.pressure.solver, {"iccg", "sor", "cholmod"});
   const double l0 = p.particles.spacing;
   check_whole("tank.length", p.tank.length, l0);
   check_whole("tank.height", p.tank.height, l0);

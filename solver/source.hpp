@@ -5,7 +5,7 @@
 
 namespace seiche::solver {
 
-/// Share of the full neighbour count under which a particle may be at the free surface (Tanaka & Masunaga 2010).
+/// Share of the full neighbour count up to which a particle may be at the free surface (Tanaka & Masunaga 2010).
 inline constexpr double count_share = 0.85;
 
 /// Added to the diagonal of the pressure equation, in units of n0: keeps the matrix definite where a clump of particles

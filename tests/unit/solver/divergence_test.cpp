@@ -110,16 +110,13 @@ TYPED_TEST(Divergence, OverTheLayersBesideAWallIsAllTheFlowThatItStops) {
         kernel);
 }
 
-TYPED_TEST(Divergence, WithoutASingleNormalTheWholeVelocityCounts) {
+TYPED_TEST(Divergence, WithoutASingleNormalNothingCounts) {
   constexpr int D = TypeParam::D;
   State<D> s;
   s.add(Vec<D>::Zero(), Kind::fluid, Vec<D>::Zero());
   s.add(-l0 * Vec<D>::Ones(), Kind::wall, Vec<D>::Zero());
-  const KF3 w{2.6 * l0};
-  const auto divergence = divergence_of<D>(w, s, [](const Vec<D>&) { return test::slanted<D>(); });
-  const double n0 = lattice_reference<D>(w, l0).n0, r = std::sqrt(D) * l0;
-  const double expected = 2 * D / n0 * l0 * test::slanted<D>().sum() * w(r) / (r * r);
-  EXPECT_NEAR(divergence[test::nearest<D>(s, Vec<D>::Zero())], expected, 1e-12 * expected);
+  const auto divergence = divergence_of<D>(KF3{2.6 * l0}, s, [](const Vec<D>&) { return test::slanted<D>(); });
+  EXPECT_EQ(divergence[test::nearest<D>(s, Vec<D>::Zero())], 0);
 }
 
 TYPED_TEST(Divergence, PairsOfWallsAddNothing) {

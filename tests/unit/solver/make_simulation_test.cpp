@@ -64,7 +64,6 @@ TEST(MakeSimulation, TakesEveryKernelAndSolver) {
   for (const char* kernel : {"KF1", "KF2", "KF3", "KF4", "KF5"})
     for (const char* solver : {"iccg", "sor", "cholmod"}) {
       Parameters p = surging(2);
-      p.motion.type = "none";
       p.method.kernel = kernel;
       p.pressure.solver = solver;
       const auto simulation = make_simulation(p, 0);
