@@ -22,9 +22,11 @@ std::string ending_sentence(const Ending& ending) {
 std::string losses(const Statistics& s) {
   std::string result;
   if (s.leaked > 0)
-    result += fmt::format("  warning   {} fluid particles leaked through a wall and were taken out\n", s.leaked);
+    result += fmt::format("  warning   {} fluid particle{} leaked through a wall, taken out\n", s.leaked,
+                          s.leaked == 1 ? "" : "s");
   if (s.spilled > 0)
-    result += fmt::format("  note      {} fluid particles spilled over the rim and were taken out\n", s.spilled);
+    result += fmt::format("  note      {} fluid particle{} spilled over the rim, taken out\n", s.spilled,
+                          s.spilled == 1 ? "" : "s");
   return result;
 }
 
