@@ -22,14 +22,15 @@ void part_close_pairs(double distance, const Neighbours<D>& list, State<D>& s, V
   for (int i = 0; i < size; ++i) s.position[i] += moved[i];
 }
 
+/// How much farther than elsewhere pairs near the free surface collide.
+inline constexpr double near_surface_reach = 1.25;
+
 /// Perfectly inelastic collision: a pair closer than `distance` that approaches loses its velocity of approach, shared
 /// equally between two fluid particles (momentum is kept), wholly taken by the one that meets a wall. Koshizuka & Oka
 /// (1996) use such a collision at 0.5 l0. Where both are near the free surface the distance is `near_surface_reach`
 /// times as long: with p given there, pressure can't keep those particles apart. All pairs act at once, so each is
 /// weakened by the number of collisions of its busier partner: energy can only fall. `collisions` and `change` are
 /// buffers.
-inline constexpr double near_surface_reach = 1.25;
-
 template <int D>
 void collide_close_pairs(double distance, const std::vector<std::uint8_t>& near, const Neighbours<D>& list, State<D>& s,
                          std::vector<int>& collisions, Vecs<D>& change) {

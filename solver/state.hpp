@@ -12,7 +12,7 @@ template <int D>
 struct State {
   Vecs<D> position;  ///< in the tank's frame [m]
   Vecs<D> velocity;  ///< relative to the tank [m/s]
-  Vecs<D> normal;    ///< out of the tank, for wall and dummy particles; zero for fluid
+  Vecs<D> normal;    ///< out of the tank, for wall and dummy particles; zero in corners and for fluid
   Scalars pressure;  ///< gauge [Pa]; the next solve starts from it
   std::vector<Kind> kind;
   std::vector<std::uint8_t> surface;  ///< 1 where the pressure is held at 0
