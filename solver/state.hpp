@@ -15,7 +15,7 @@ struct State {
   Vecs<D> normal;    ///< out of the tank, for wall and dummy particles; zero in corners and for fluid
   Scalars pressure;  ///< gauge [Pa]; the next solve starts from it
   std::vector<Kind> kind;
-  std::vector<std::uint8_t> surface;  ///< 1 where the pressure is held at 0
+  std::vector<std::uint8_t> surface;  ///< 1 at the free surface, where the pressure is given
   std::vector<std::uint32_t> id;
 
   Vecs<D> listed_position;  ///< where each particle was when the neighbour list was made
