@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 namespace seiche {
 
@@ -23,13 +24,55 @@ struct Parameters {
     bool closed = true;   ///< with a roof
   } tank;
 
+  /// One term of a motion: amplitude sin(2 pi frequency t + phase).
+  struct Harmonic {
+    std::string of = "surge";  ///< surge (x) | heave (y) | roll (about the pivot, from x towards y)
+    double amplitude = 0;      ///< [m], roll: [degrees]
+    double frequency = 0;      ///< [Hz]
+    double phase = 0;          ///< [degrees]
+  };
+
+  /// A motion as samples of equal count; an empty one stays 0.
+  struct TimeSeries {
+    std::vector<double> time;          ///< [s], ascending
+    std::vector<double> surge, heave;  ///< [m]
+    std::vector<double> roll;          ///< [degrees]
+  };
+
   struct Motion {
-    std::string type = "none";  ///< none | surge: x(t) = amplitude sin(2 pi frequency t)
-    double amplitude = 0;       ///< [m]
-    double frequency = 0;       ///< [Hz]
+    std::string type = "none";  ///< none | surge | heave | roll: one harmonic | harmonics: their sum | file: the series
+    double amplitude = 0;       ///< of the one harmonic [m], roll: [degrees]
+    double frequency = 0;       ///< of the one harmonic [Hz]
+    double phase = 0;           ///< of the one harmonic [degrees]
+    std::vector<Harmonic> harmonics;
+    double ramp = 0;   ///< the motion grows from nothing over this time [s]
+    std::string file;  ///< CSV of the series; the program reads it into `series`
+    TimeSeries series;
+    double pivot_x = 0, pivot_y = 0;  ///< point that roll turns about, in the tank's frame [m]
     std::string start =
         "impulsive";  ///< impulsive: water at rest in the lab | smooth: water moves with the tank at t = 0
   } motion;
+
+  /// A pressure sensor on a wall.
+  struct PressureSensor {
+    std::string name;            ///< as in "left_bottom": column "p_left_bottom [Pa]"
+    double x = 0, y = 0, z = 0;  ///< [m]
+    double side = 0;             ///< of the area that it averages over, centred on the point [m]; 0: the point
+  };
+
+  /// A wave gauge: the surface's height above still level along a vertical line.
+  struct WaveGauge {
+    std::string name;     ///< as in "left": column "eta_left [m]"
+    double x = 0, z = 0;  ///< [m]
+  };
+
+  struct Sensors {
+    std::vector<PressureSensor> pressure;  ///< none: one at the left bottom corner
+    std::vector<WaveGauge> gauge;          ///< none: one at the left wall, one at the right
+    bool force = true;                     ///< on the walls, and moment about the pivot
+    bool energy = true;                    ///< kinetic and potential
+    bool volume = true;                    ///< of the liquid, and its centre of mass
+  } sensors;
 
   struct Particles {
     double spacing = 0.005;  ///< l0 [m]
