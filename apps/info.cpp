@@ -8,6 +8,7 @@
 
 #include "apps/run_info.hpp"
 #include "render/outputs.hpp"
+#include "solver/pressure_solver.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -38,9 +39,10 @@ std::string info_text() {
       "  VTK       {}\n"
       "  ffmpeg    {}\n"
       "  Eigen     {}.{}.{}\n"
+      "  CHOLMOD   {} (SuiteSparse)\n"
       "  threads   {}\n",
       version(), gl(), render::vtk_version(), ffmpeg(), EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
-      omp_get_num_procs());
+      solver::cholmod_version(), omp_get_num_procs());
 }
 
 }  // namespace seiche::apps

@@ -1,7 +1,3 @@
 #include "apps/command_line.hpp"
-#include "apps/wait_policy.hpp"
 
-int main(int argc, char** argv) {
-  seiche::apps::choose_passive_waiting(argv);
-  return seiche::apps::command_line(argc, argv);
-}
+int main(int argc, char** argv) { return seiche::apps::command_line(argc, argv); }

@@ -86,4 +86,10 @@ std::unique_ptr<PressureSolver> make_pressure_solver(const std::string& name, do
   throw std::invalid_argument("no pressure solver is called '" + name + "'; there are iccg, sor and cholmod");
 }
 
+std::string cholmod_version() {
+  int version[3];
+  ::cholmod_version(version);
+  return std::to_string(version[0]) + "." + std::to_string(version[1]) + "." + std::to_string(version[2]);
+}
+
 }  // namespace seiche::solver

@@ -26,4 +26,7 @@ class PressureSolver {
 /// Throws std::invalid_argument for another name.
 std::unique_ptr<PressureSolver> make_pressure_solver(const std::string& name, double tolerance, int max_iterations);
 
+/// Version of CHOLMOD, as in "3.0.14".
+std::string cholmod_version();
+
 }  // namespace seiche::solver

@@ -1,6 +1,8 @@
 // What the program says and exits with before it computes anything.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "tests/cli/program.hpp"
 #include "tests/unit/apps/files.hpp"
 
@@ -25,6 +27,17 @@ TEST(Usage, EachVerbHasItsOwnHelpWithExamples) {
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.out.find("Examples:\n  seiche " + verb), std::string::npos) << result.out;
   }
+}
+
+TEST(Usage, WithoutOsmesaItNamesThePackageAndStartsNothing) {
+  const Scratch scratch;
+  // The loader takes the first library of the name, and an empty file is none.
+  std::ofstream(scratch.folder() / "libOSMesa.so.8");
+  const Result result = seiche(scratch.folder(), {"run", quick}, {"LD_LIBRARY_PATH=" + scratch.folder().string()});
+  EXPECT_EQ(result.code, 4);
+  EXPECT_NE(result.err.find("install Debian's package libosmesa6"), std::string::npos) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_FALSE(std::filesystem::exists(scratch.folder() / "out"));
 }
 
 TEST(Usage, VersionIsOneLine) {
@@ -142,7 +155,7 @@ TEST(Usage, InfoNamesTheRendererAndTheEncoders) {
   const Scratch scratch;
   const Result result = seiche(scratch.folder(), {"info"}, {"DISPLAY="});
   EXPECT_EQ(result.code, 0);
-  for (const char* text : {"OSMesa", "VTK", "libx264", "Eigen"})
+  for (const char* text : {"OSMesa", "VTK", "libx264", "Eigen", "CHOLMOD"})
     EXPECT_NE(result.out.find(text), std::string::npos) << text;
 }
 
