@@ -140,7 +140,9 @@ void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look
   const double radius = half * (1 + 0.5 * closed);
   if (look.show_walls) {
     const bool square = closed > 0;
-    dummy_ = discs({.radius = half, .layer = -2, .square = square});
+    // Squares stay upright; where the tank may roll they overlap, lest gaps show between them up to 10 degrees.
+    const double overlap = look.view == "lab" ? 1.16 : 1;
+    dummy_ = discs({.radius = half * overlap, .layer = -2, .square = square});
     wall_ = discs({.radius = half, .layer = -1, .square = square});
   }
   fluid_ = discs({.radius = radius, .edge = 0.8 / (1 + 0.5 * closed), .shade = shade});
@@ -156,14 +158,17 @@ double Particles::layer_height(const RunInfo& run) { return 0.02 * (run.tank[0] 
 
 Particles::~Particles() = default;
 
-void Particles::show(const Frame& frame, Range range, const Double3& shift) {
+void Particles::show(const Frame& frame, Range range, const TankPose& pose) {
   Layer* const layers[] = {fluid_.get(), marked_.get(), surface_.get(), wall_.get(), dummy_.get()};
   for (Layer* layer : layers)
     if (layer) layer->clear();
   const double width = range.high - range.low;
+  const double c = std::cos(pose.roll), s = std::sin(pose.roll);
   for (std::size_t i = 0; i < frame.size(); ++i) {
-    Float3 at = frame.position[i];
-    for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += static_cast<float>(shift[axis]);
+    const Float3& in_tank = frame.position[i];
+    const double x = in_tank[0] - pose.pivot[0], y = in_tank[1] - pose.pivot[1];
+    const Float3 at{static_cast<float>(pose.pivot[0] + pose.displacement[0] + c * x - s * y),
+                    static_cast<float>(pose.pivot[1] + pose.displacement[1] + s * x + c * y), in_tank[2]};
     switch (frame.kind[i]) {
       case Kind::fluid: {
         const bool marked = surface_ && frame.free_surface[i];
