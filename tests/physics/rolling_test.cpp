@@ -21,9 +21,11 @@ double centre(const Frame& frame) {
   return sum / n;
 }
 
-// The centre of mass moves by 8 mm in a wave of 1.5 cm.
+// The centre of mass moves by 15 mm and is off by 2.8 % of that. Where it moves by less than a spacing the surface is
+// too coarse: by 0.5 degrees it moves by 3.7 mm, and is off by 9 % of that here, by 3 % at a spacing of 5 mm.
 TEST(Rolling, FollowsPotentialTheory) {
-  const Parameters p = rolling(0.01);
+  Parameters p = rolling(0.01);
+  p.motion.amplitude = 2;
   const RollTheory theory(p);
   const auto simulation = make_simulation(p, 0);
   double error = 0, greatest = 0;
@@ -31,9 +33,8 @@ TEST(Rolling, FollowsPotentialTheory) {
     const double exact = theory.centre(frame.time);
     error = std::max(error, std::abs(centre(frame) - 0.5 * p.tank.length - exact));
     greatest = std::max(greatest, std::abs(exact));
-    std::printf("%.2f %.6f %.6f\n", frame.time, centre(frame) - 0.5 * p.tank.length, exact);
   });
-  EXPECT_LT(error, 0.03 * greatest);
+  EXPECT_LT(error, 0.04 * greatest);
   EXPECT_EQ(simulation->statistics().leaked, 0);
 }
 
@@ -59,8 +60,7 @@ double start_error(Parameters p, double pivot_x, double pivot_y) {
 TEST(Rolling, ImpulsiveStartConvergesToPotentialTheory) {
   for (const auto& [x, y] : {std::pair{0.3, 0.05}, {0.1, 0.3}}) {
     const double coarse = start_error(rolling(0.02), x, y), fine = start_error(rolling(0.01), x, y);
-    std::printf("%g %g\n", coarse, fine);
-    EXPECT_LT(fine, 0.1);
+    EXPECT_LT(fine, 0.05);
     EXPECT_GT(std::log2(coarse / fine), 0.5);  // As for a surge, the upper corners are singular.
   }
 }
