@@ -8,6 +8,7 @@
 #include "solver/check_motion.hpp"
 #include "solver/motion.hpp"
 #include "solver/mps.hpp"
+#include "solver/sensor_list.hpp"
 
 namespace seiche {
 
@@ -97,18 +98,13 @@ void check_parameters(const Parameters& p) {
   if (particles > 1e8)
     throw BadParameters(
         fmt::format("particles.spacing = {:.6g} m asks for some {:.2g} particles; the limit is 1e8", l0, particles));
+  solver::check_sensors(p);
 }
 
 Double3 motion_extent(const Parameters& p) {
   // The walls' particles stand outside of the box.
   const double walls = solver::wall_layers(p.method) * p.particles.spacing;
   return solver::Motion(p.motion).extent({-walls, -walls, 0}, {p.tank.length + walls, p.tank.height + walls, 0});
-}
-
-std::vector<std::string> sensor_columns(const Parameters& p) {
-  std::vector<std::string> columns{"p_left_bottom [Pa]", "eta_left [m]", "eta_right [m]"};
-  for (std::string& moved : solver::motion_columns(p.motion)) columns.push_back(std::move(moved));
-  return columns;
 }
 
 std::unique_ptr<Simulation> make_simulation(const Parameters& p, double sample_interval) {

@@ -15,7 +15,8 @@ namespace seiche::apps {
 namespace {
 
 const char* sensors =
-    "[sensors]\nenergy = false\n[[sensors.gauge]]\nname = \"mid\"\nx = 0.3\n[[sensors.pressure]]\nname = \"p1\"\n"
+    "[tank]\nlength = 1\n[sensors]\nenergy = false\n[[sensors.gauge]]\nname = \"mid\"\n"
+    "x = 0.3\n[[sensors.pressure]]\nname = \"p1\"\n"
     "y = 0.1\nside = 0.02\n[[sensors.gauge]]\nname = \"right\"\nx = 1\n[[motion.harmonic]]\nof = \"roll\"\n"
     "amplitude = 2.5\nfrequency = 0.5\nphase = -90\n";
 
@@ -89,10 +90,10 @@ TEST(Lists, ThatAreEmptyAreExplainedAllTheSame) {
 
 TEST(Lists, AreReplacedByAnOverride) {
   const Scene scene =
-      parse_scene(sensors, "x.toml", {parse_set("sensors.gauge=[{name=\"a\", x=0.1}, {name=\"b\", z=2}]")});
+      parse_scene(sensors, "x.toml", {parse_set("sensors.gauge=[{name=\"a\", x=0.1}, {name=\"b\", x=1}]")});
   ASSERT_EQ(scene.parameters.sensors.gauge.size(), 2u);
   EXPECT_EQ(scene.parameters.sensors.gauge[0].name, "a");
-  EXPECT_EQ(scene.parameters.sensors.gauge[1].z, 2);
+  EXPECT_EQ(scene.parameters.sensors.gauge[1].x, 1);
   EXPECT_EQ(scene.parameters.sensors.pressure.size(), 1u) << "the other list stays";
   EXPECT_TRUE(parse_scene(sensors, "x.toml", {parse_set("sensors.gauge=[]")}).parameters.sensors.gauge.empty());
 }
