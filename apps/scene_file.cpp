@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "apps/curves.hpp"
 #include "apps/nearest.hpp"
 #include "apps/toml_settings.hpp"
 #include "solver/simulation.hpp"
@@ -80,6 +81,7 @@ Scene parse_scene(const std::string& toml, const std::string& file, const std::v
   } catch (const BadParameters& error) {
     throw BadScene(fmt::format("{}: {}", file, error.what()));
   }
+  if (const auto complaint = check_curves(scene)) throw BadScene(fmt::format("{}: {}", file, *complaint));
   return scene;
 }
 

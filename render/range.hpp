@@ -7,18 +7,19 @@
 
 namespace seiche::render {
 
-/// At most nine values 0, +-step, +-2 step .. within a range, with step = 1, 2, 2.5 or 5 times a power of ten.
+/// Values 0, +-step, +-2 step .. within a range, with step = 1, 2, 2.5 or 5 times a power of ten.
 struct Ticks {
   std::vector<double> values;
   double step = 1;
 };
-Ticks round_ticks(Range range);
+/// `most`: parts that the range is cut into at most, 2 or more.
+Ticks round_ticks(Range range, int most = 8);
 
 /// The tick's number without needless digits, as in "500" or "0.25", with a true minus sign.
 std::string tick_label(double value, double step);
 
 /// The smallest range between two round ticks that holds `range`; one of no width becomes [low, low + 1] first.
-Range rounded(Range range);
+Range rounded(Range range, int most = 8);
 
 /// [0, 1.5 rho g H], rounded: known before the first step, and the same for all runs of one scene.
 Range scene_range(const RunInfo& run);
