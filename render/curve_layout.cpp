@@ -34,8 +34,7 @@ double curve_strip(const Needs& needs, double font) {
   for (const CurveNeeds& curve : needs.curves)
     if (slot < (curve.labels + curve.last_label + 8) * font) return 0;
   const double rows = head_height(needs.curves, slot, font) + (tick_row + below) * font;
-  const double least = rows + 3.2 * font, most = rows + 9 * font;
-  return least > 0.4 * needs.height ? 0 : std::clamp(0.27 * needs.height, least, most);
+  return rows + std::clamp(0.16 * needs.height, 3.2 * font, 9 * font);
 }
 
 std::vector<CurvePlace> lay_out_curves(const std::vector<CurveNeeds>& needs, const Box& strip, double font) {

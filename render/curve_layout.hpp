@@ -11,7 +11,8 @@ constexpr double curve_font = 0.88;
 /// The first time's label and the name of the times stand this far apart, in font heights.
 constexpr double name_gap = 0.6;
 
-/// Height of the strip that curves take under a picture: about a quarter of it, 0 when that is too little for them.
+/// Height of the strip that curves take under a picture: about a quarter of it. 0 when the picture is too narrow for
+/// them.
 double curve_strip(const Needs& needs, double font);
 
 /// The curves side by side in the strip.

@@ -105,7 +105,7 @@ void CurvePanel::draw_references() {
 
 void CurvePanel::show(double time) {
   const Box& plot = place_.plot;
-  const Range range = axis_range(curve_, most_values(plot.height / font_));
+  const Range range = axis_range(curve_);
   if (!range_ || range_->low != range.low || range_->high != range.high) {
     range_ = range;
     draw_axes();

@@ -12,9 +12,9 @@ namespace seiche::render {
 namespace {
 
 // In font heights.
-double label_width(Range range, int most) {
+double label_width(Range range) {
   double width = 0;
-  const Ticks ticks = round_ticks(range, most);
+  const Ticks ticks = round_ticks(range);
   for (const double value : ticks.values) width = std::max(width, text_width(tick_label(value, ticks.step)));
   return curve_font * width;
 }
@@ -29,10 +29,10 @@ void CurveStrip::claim(Needs& needs) const {
     CurveNeeds room;
     room.title = curve_font * text_width(curve.title);
     room.key = curve_font * key_width(curve);
-    room.last_label = label_width({0, curve.end}, 8);
+    room.last_label = label_width({0, curve.end});
     // The name of the times stands in the corner between both axes' labels.
     const double corner = curve_font * (text_width(CurvePanel::time_title) + name_gap) + room.last_label / 2;
-    room.labels = std::max({label_width(axis_range(curve, 8), 8), label_width(widest_range(curve), 8), corner});
+    room.labels = std::max({label_width(axis_range(curve)), label_width(widest_range(curve)), corner});
     needs.curves.push_back(room);
   }
 }

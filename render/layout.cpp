@@ -76,13 +76,22 @@ Layout lay_out(const Needs& needs, double floor, bool upright) {
   return out;
 }
 
+Layout lay_out_above(const Needs& needs, double floor) {
+  const Layout beside = lay_out(needs, floor, true), below = lay_out(needs, floor, false);
+  return below.scale > beside.scale ? below : beside;
+}
+
+constexpr double least_share = 0.55;  // that curves must leave of the tank's size
+
 }  // namespace
 
 Layout lay_out(const Needs& needs) {
   const double f = font_height(needs.width, needs.height), strip = curve_strip(needs, f), pad = layout_pad * f;
-  const Layout beside = lay_out(needs, strip, true), below = lay_out(needs, strip, false);
-  Layout out = below.scale > beside.scale ? below : beside;
-  if (strip > 0) out.curves = lay_out_curves(needs.curves, {pad, 0, needs.width - 2 * pad, strip}, f);
+  const Layout alone = lay_out_above(needs, 0);
+  if (strip == 0) return alone;
+  Layout out = lay_out_above(needs, strip);
+  if (out.scale < least_share * alone.scale) return alone;
+  out.curves = lay_out_curves(needs.curves, {pad, 0, needs.width - 2 * pad, strip}, f);
   return out;
 }
 

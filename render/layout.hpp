@@ -46,10 +46,11 @@ struct Layout {
   Box caption, clock, ruler, key;
   Box bar;  ///< the colours alone, without the triangles at the ends
   bool bar_upright = true;
-  std::vector<CurvePlace> curves;  ///< none where the picture is too small for them
+  std::vector<CurvePlace> curves;  ///< none where they would take nearly half of the tank's size
 };
 
-/// Curves go below all else. Of the room above them: tries the scalar bar beside the tank and below it, and takes what shows the tank larger.
+/// Curves go below all else. Of the room above them: tries the scalar bar beside the tank and below it, and takes what
+/// shows the tank larger.
 Layout lay_out(const Needs& needs);
 
 }  // namespace seiche::render

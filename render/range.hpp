@@ -13,13 +13,16 @@ struct Ticks {
   double step = 1;
 };
 /// `most`: parts that the range is cut into at most, 2 or more.
-Ticks round_ticks(Range range, int most = 8);
+Ticks round_ticks(Range range, int most);
+
+/// Into at most eight parts.
+Ticks round_ticks(Range range);
 
 /// The tick's number without needless digits, as in "500" or "0.25", with a true minus sign.
 std::string tick_label(double value, double step);
 
 /// The smallest range between two round ticks that holds `range`; one of no width becomes [low, low + 1] first.
-Range rounded(Range range, int most = 8);
+Range rounded(Range range);
 
 /// [0, 1.5 rho g H], rounded: known before the first step, and the same for all runs of one scene.
 Range scene_range(const RunInfo& run);

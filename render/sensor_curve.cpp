@@ -68,7 +68,7 @@ void record(SensorCurve& curve, const Readings& readings) {
   }
 }
 
-Range axis_range(const SensorCurve& curve, int most) {
+Range axis_range(const SensorCurve& curve) {
   double centre = middle(curve);
   Range range{centre - curve.reach, centre + curve.reach};
   if (const auto span = reference_range(curve); span && span->high > span->low) {
@@ -76,13 +76,13 @@ Range axis_range(const SensorCurve& curve, int most) {
     centre = (range.low + range.high) / 2;
   }
   // Readings are held against the rounded range: those just beyond a reference seldom leave it.
-  while (curve.extent && curve.extent->low < rounded(range, most).low) range.low -= centre - range.low;
-  while (curve.extent && curve.extent->high > rounded(range, most).high) range.high += range.high - centre;
-  return rounded(range, most);
+  while (curve.extent && curve.extent->low < rounded(range).low) range.low -= centre - range.low;
+  while (curve.extent && curve.extent->high > rounded(range).high) range.high += range.high - centre;
+  return rounded(range);
 }
 
 Range widest_range(const SensorCurve& curve) {
-  const Range now = axis_range(curve, 8);
+  const Range now = axis_range(curve);
   const double most = 8 * std::max({curve.reach, std::abs(now.low), std::abs(now.high)});
   return {-most, most};
 }

@@ -26,10 +26,10 @@ std::vector<SensorCurve> sensor_curves(const RunInfo& run, const Look& look);
 /// Adds a frame's readings to the curve.
 void record(SensorCurve& curve, const Readings& readings);
 
-/// What its axis shows, between round ticks that cut it into at most `most` parts: at first what its references span,
-/// or else `reach` to both sides of rest. Where readings go beyond, that side's distance from the middle is doubled
-/// until they don't: an axis that followed them would never stand still.
-Range axis_range(const SensorCurve& curve, int most);
+/// What its axis shows, between round numbers: at first what its references span, or else `reach` to both sides of
+/// rest. Where readings go beyond, that side's distance from the middle is doubled until they don't: an axis that
+/// followed them would never stand still.
+Range axis_range(const SensorCurve& curve);
 
 /// The widest range whose labels must find room: readings seldom go beyond eight times the reach.
 Range widest_range(const SensorCurve& curve);

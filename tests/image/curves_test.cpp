@@ -51,5 +51,5 @@ TEST(CurvesBaseline, Transparent) {
   Look look = sized(1280, 720);
   look.background = "transparent";
   look.curves = "eta_right, surge";
-  test::expect_baseline("curves-transparent", draw(look, 0.5));
+  test::expect_baseline("curves-transparent", draw(look, 3.8));
 }
