@@ -60,6 +60,10 @@ void Csv::refuse(std::size_t row, const std::string& what) const {
   throw BadScene(fmt::format("{}:{}: {}", file_, row + 2, what));
 }
 
+void Csv::refuse_end(const std::string& what) const {
+  throw BadScene(fmt::format("{}:{}: {}", file_, rows_.size() + 1, what));
+}
+
 Csv read_csv(const std::string& file, const std::string& what) {
   // Opening a folder succeeds, reading it throws.
   std::ifstream in(file, std::ios::binary);

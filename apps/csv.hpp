@@ -19,9 +19,10 @@ class Csv {
   /// Throws BadScene where the cell holds no finite number.
   double number(std::size_t row, std::size_t column) const;
 
-  /// Throws BadScene with file:line of the header or of a row.
+  /// Throws BadScene with file:line of the header, of a row, or of the last line.
   [[noreturn]] void refuse_header(const std::string& what) const;
   [[noreturn]] void refuse(std::size_t row, const std::string& what) const;
+  [[noreturn]] void refuse_end(const std::string& what) const;
 
  private:
   std::string file_;

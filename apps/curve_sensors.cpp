@@ -18,9 +18,8 @@ void check_curve_sensors(const Scene& scene) {
   const auto check = [&](const std::string& name, const char* key) {
     if (std::find(sensors.begin(), sensors.end(), name) != sensors.end()) return;
     const auto guess = nearest(name, sensors);
-    throw BadScene(fmt::format("{}: {} names '{}', which is no sensor of this scene{}; it has {}", scene.file, key,
-                               name, guess ? fmt::format("; did you mean '{}'?", *guess) : "",
-                               fmt::join(sensors, ", ")));
+    throw BadScene(fmt::format("{}: {} = '{}' is no sensor of this scene; expected one of {}{}", scene.file, key, name,
+                               fmt::join(sensors, ", "), guess ? fmt::format("; did you mean '{}'?", *guess) : ""));
   };
   for (const std::string& name : render::named_curves(scene.look.curves).value_or(std::vector<std::string>{}))
     check(name, "[look] curves");

@@ -30,9 +30,9 @@ std::size_t value_column(const Csv& table, const std::string& column, const std:
   const auto found = find(table, column);
   if (!found) {
     const auto guess = nearest(column, table.titles());
-    table.refuse_header(fmt::format("there is no column '{}'{}; expected one of {}", column,
-                                    guess ? fmt::format("; did you mean '{}'?", *guess) : "",
-                                    fmt::join(table.titles(), ", ")));
+    table.refuse_header(fmt::format("there is no column '{}'; expected one of {}{}", column,
+                                    fmt::join(table.titles(), ", "),
+                                    guess ? fmt::format("; did you mean '{}'?", *guess) : ""));
   }
   const std::string& title = table.titles()[*found];
   if (!unit_of(title).empty() && unit_of(title) != unit)
@@ -57,7 +57,8 @@ std::string unit_of_sensor(const std::string& name, const std::vector<std::strin
 
 render::Series reference_series(const Csv& table, const std::string& column, const std::string& unit) {
   const std::size_t times = time_column(table), values = value_column(table, column, unit);
-  if (table.rows() < 2) table.refuse_header(fmt::format("{} rows below; expected 2 at least", table.rows()));
+  if (table.rows() < 2)
+    table.refuse_end(fmt::format("the file ends after {} samples; expected 2 at least", table.rows()));
   render::Series series;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double time = table.number(row, times);

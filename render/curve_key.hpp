@@ -5,7 +5,8 @@
 
 namespace seiche::render {
 
-/// How a reference is dashed: lengths of a dash and of a gap, in font heights. Each of a curve's references has its own.
+/// How a reference is dashed: lengths of a dash and of a gap, in font heights. Each of a curve's references has its
+/// own.
 struct Dashes {
   double dash, gap;
 };
@@ -14,10 +15,13 @@ Dashes dashes_of(std::size_t reference);
 /// Widths of lines, in font heights.
 constexpr double curve_width = 0.13, reference_width = 0.085;
 
-/// Width of the key to a curve's lines, in font heights; 0 when it has no references and so needs none.
+/// Widths of the curve's title and of the key to its references, in font heights; 0 where it has none. Beside
+/// references the title stands behind a piece of the curve, as in a key.
+double title_width(const SensorCurve& curve);
 double key_width(const SensorCurve& curve);
 
-/// Draws the key from the left of `place` on, cut where it is too long.
+/// Draws them from the left of `place` on, cut where they are too long.
+void place_title(Overlay& overlay, const SensorCurve& curve, const Box& place, double font, const Palette& colours);
 void place_key(Overlay& overlay, const SensorCurve& curve, const Box& place, double font, const Palette& colours);
 
 }  // namespace seiche::render

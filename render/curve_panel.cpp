@@ -28,7 +28,7 @@ Ticks time_ticks(double end, double room) {
   return round_ticks({0, end}, most);
 }
 
-int most_values(double room) { return std::clamp(static_cast<int>(room / 1.7), 2, 8); }
+int most_values(double room) { return std::clamp(static_cast<int>(room / 1.5), 2, 8); }
 
 double middle(const Box& box) { return box.y + box.height / 2; }
 
@@ -86,8 +86,7 @@ void CurvePanel::draw_axes() {
   draw_times();
   axes_.box({plot.x - thin_ / 2, plot.y - thin_ / 2, thin_, plot.height + thin_}, colours_.ink);
   axes_.box({plot.x - thin_ / 2, plot.y - thin_ / 2, plot.width + thin_, thin_}, colours_.ink);
-  const std::string title = shortened(curve_.title, place_.title.width / font_ + 0.01);
-  axes_.text(title, place_.title.x, middle(place_.title), font_, Align::left, colours_.ink);
+  place_title(axes_, curve_, place_.title, font_, colours_);
   place_key(axes_, curve_, place_.key, font_, colours_);
 }
 

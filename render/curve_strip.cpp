@@ -27,7 +27,7 @@ CurveStrip::~CurveStrip() = default;
 void CurveStrip::claim(Needs& needs) const {
   for (const SensorCurve& curve : curves_) {
     CurveNeeds room;
-    room.title = curve_font * text_width(curve.title);
+    room.title = curve_font * title_width(curve);
     room.key = curve_font * key_width(curve);
     room.last_label = label_width({0, curve.end});
     // The name of the times stands in the corner between both axes' labels.

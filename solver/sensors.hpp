@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/kernels.hpp"
+#include "solver/motion.hpp"
 #include "solver/parameters.hpp"
 #include "solver/state.hpp"
 
@@ -103,12 +104,13 @@ class WaveGauge {
   std::vector<int> strip_, water_;  ///< particles around the gauge's line, and those of them that aren't spray
 };
 
-/// The sensors of a run, read at exact multiples of the sample interval by linear interpolation between steps.
+/// The sensors of a run, read at exact multiples of the sample interval by linear interpolation between steps, and the
+/// tank's motion as it is at those times.
 template <int D>
 class Sensors {
  public:
   Sensors(const Parameters& p, double interval)
-      : interval_(interval), spacing_(p.particles.spacing), still_level_(p.fluid.depth) {
+      : interval_(interval), spacing_(p.particles.spacing), still_level_(p.fluid.depth), motion_(p.motion) {
     Vec<D> left = Vec<D>::Zero();
     if constexpr (D == 3) left[2] = 0.5 * p.tank.width;
     Vec<D> right = left;
@@ -127,6 +129,7 @@ class Sensors {
       const double share = s.time > last_time_ ? (t - last_time_) / (s.time - last_time_) : 1;
       for (std::size_t k = 0; k < now.size(); ++k)
         readings_.values.push_back(last_.empty() ? now[k] : last_[k] + share * (now[k] - last_[k]));
+      motion_.append(t, readings_.values);
     }
     last_ = std::move(now);
     last_time_ = s.time;
@@ -137,6 +140,7 @@ class Sensors {
 
  private:
   double interval_, spacing_, still_level_;
+  Motion motion_;
   Vec<D> corner_;
   std::vector<WaveGauge<D>> gauges_;
   Readings readings_;
