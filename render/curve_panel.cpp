@@ -22,13 +22,13 @@ double widest(const Ticks& ticks) {
 
 // As many as stand apart.
 Ticks time_ticks(double end, double room) {
-  int most = 8;
+  int most = most_ticks;
   const auto fit = [&](const Ticks& ticks) { return most * (widest(ticks) + 1) < room; };
-  while (most > 2 && !fit(round_ticks({0, end}, most))) --most;
+  while (most > fewest_ticks && !fit(round_ticks({0, end}, most))) --most;
   return round_ticks({0, end}, most);
 }
 
-int most_values(double room) { return std::clamp(static_cast<int>(room / 1.5), 2, 8); }
+int most_values(double room) { return std::clamp(static_cast<int>(room / 1.5), fewest_ticks, most_ticks); }
 
 double middle(const Box& box) { return box.y + box.height / 2; }
 

@@ -9,6 +9,9 @@
 
 namespace seiche::render {
 
+/// Into how many parts ticks may cut an axis.
+constexpr int fewest_ticks = 2, most_ticks = 8;
+
 /// One curve over time between its axes: readings up to now as a solid line, references dashed for the whole run, and
 /// a mark at the present time.
 class CurvePanel {

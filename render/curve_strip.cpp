@@ -11,11 +11,13 @@
 namespace seiche::render {
 namespace {
 
-// In font heights.
+// Of the widest label on an axis that is cut into whatever number of parts, in font heights.
 double label_width(Range range) {
   double width = 0;
-  const Ticks ticks = round_ticks(range);
-  for (const double value : ticks.values) width = std::max(width, text_width(tick_label(value, ticks.step)));
+  for (int most = fewest_ticks; most <= most_ticks; ++most) {
+    const Ticks ticks = round_ticks(range, most);
+    for (const double value : ticks.values) width = std::max(width, text_width(tick_label(value, ticks.step)));
+  }
   return curve_font * width;
 }
 
