@@ -34,8 +34,11 @@ inline Readings readings(double from, double until, double rate = 100) {
 
 /// A series beside the elevation at the left wall, somewhat smaller, to the end of the run.
 inline render::Reference reference(double share = 0.9) {
-  render::Reference reference{
-      .of = "eta_left", .label = "nonlinear potential theory", .file = "theory.csv", .column = "eta_left", .series = {}};
+  render::Reference reference{.of = "eta_left",
+                              .label = "nonlinear potential theory",
+                              .file = "theory.csv",
+                              .column = "eta_left",
+                              .series = {}};
   for (int k = 0; k <= 1000; ++k) {
     reference.series.time.push_back(0.01 * k);
     reference.series.value.push_back(share * reading(0.01 * k)[1]);
