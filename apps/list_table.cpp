@@ -45,6 +45,17 @@ const std::vector<List>& lists() {
            {"x", "m", AT(parameters.sensors.gauge, x), Range{0, huge}, "from the left wall"},
            {"z", "m", AT(parameters.sensors.gauge, z), Range{0, huge}, "from the near wall"},
        }},
+      {"look",
+       "reference",
+       "a series drawn over a sensor's curve, for comparison",
+       ROWS(look.references),
+       {
+           {"of", "", AT(look.references, of), Text{}, "the sensor without its unit, as in eta_left", true},
+           {"label", "", AT(look.references, label), Text{}, "what the picture calls it; empty: the file's name"},
+           {"file", "", AT(look.references, file), Text{},
+            "CSV with a column t or t [s], its path from the scene's folder", true},
+           {"column", "", AT(look.references, column), Text{}, "of the file; empty: named as the sensor"},
+       }},
   };
   return table;
 }

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <string_view>
+#include <vector>
+
+#include "apps/csv.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -31,97 +29,48 @@ const Column columns[] = {
     {"roll [deg]", &Parameters::TimeSeries::roll, 1},     {"roll [rad]", &Parameters::TimeSeries::roll, degrees},
 };
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
-  return first == std::string_view::npos ? std::string_view{} : text.substr(first, last - first + 1);
+const Column& column_of(const Csv& table, const std::string& title) {
+  for (const Column& column : columns)
+    if (column.title == title) return column;
+  table.refuse_header(fmt::format("'{}' is no column of a motion; expected {}", title, known));
 }
 
-std::vector<std::string_view> split(std::string_view text, char at) {
-  std::vector<std::string_view> parts;
-  for (std::size_t end; (end = text.find(at)) != std::string_view::npos; text.remove_prefix(end + 1))
-    parts.push_back(trimmed(text.substr(0, end)));
-  parts.push_back(trimmed(text));
-  return parts;
+std::vector<const Column*> read_header(const Csv& table) {
+  std::vector<const Column*> header;
+  bool time = false;
+  for (const std::string& title : table.titles()) {
+    const Column& column = column_of(table, title);
+    for (const Column* other : header)
+      if (other->values == column.values) table.refuse_header(fmt::format("'{}' is there a second time", title));
+    time |= column.values == &Parameters::TimeSeries::time;
+    header.push_back(&column);
+  }
+  if (!time) table.refuse_header(fmt::format("there is no column of times; expected {}", known));
+  if (header.size() < 2) table.refuse_header(fmt::format("there is no column of a motion; expected {}", known));
+  return header;
 }
 
-class Reader {
- public:
-  explicit Reader(const std::string& file) : file_(file) {}
-
-  Parameters::TimeSeries read(std::string_view text) {
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // a byte order mark, as spreadsheets write
-    std::vector<std::string_view> lines = split(text, '\n');
-    while (!lines.empty() && lines.back().empty()) lines.pop_back();
-    if (lines.empty()) refuse(fmt::format("an empty file; expected a header with {}", known));
-    read_header(lines[0]);
-    for (line_ = 2; line_ <= lines.size(); ++line_) read_row(lines[line_ - 1]);
-    if (series_.time.size() < 4) {
-      line_ = lines.size();
-      refuse(fmt::format("the file ends after {} samples; expected 4 at least", series_.time.size()));
-    }
-    return std::move(series_);
+Parameters::TimeSeries motion_of(const Csv& table) {
+  const auto header = read_header(table);
+  Parameters::TimeSeries series;
+  const auto& t = series.time;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (std::size_t k = 0; k < header.size(); ++k)
+      (series.*header[k]->values).push_back(header[k]->unit * table.number(row, k));
+    if (row > 0 && !(t[row] > t[row - 1]))
+      table.refuse(row,
+                   fmt::format("t = {:g} s; expected a time after the {:g} s of the line above", t[row], t[row - 1]));
   }
-
- private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw BadScene(fmt::format("{}:{}: {}", file_, line_, what));
-  }
-
-  void read_header(std::string_view line) {
-    bool time = false;
-    for (const std::string_view title : split(line, ',')) {
-      const auto* column =
-          std::find_if(std::begin(columns), std::end(columns), [&](const Column& c) { return c.title == title; });
-      if (column == std::end(columns)) refuse(fmt::format("'{}' is no column of a motion; expected {}", title, known));
-      for (const Column* other : header_)
-        if (other->values == column->values) refuse(fmt::format("'{}' is there a second time", title));
-      time |= column->values == &Parameters::TimeSeries::time;
-      header_.push_back(column);
-    }
-    if (!time) refuse(fmt::format("there is no column of times; expected {}", known));
-    if (header_.size() < 2) refuse(fmt::format("there is no column of a motion; expected {}", known));
-  }
-
-  void read_row(std::string_view line) {
-    const auto cells = split(line, ',');
-    if (cells.size() != header_.size())
-      refuse(fmt::format("{} cells; expected {}, one below each column of the header", cells.size(), header_.size()));
-    for (std::size_t k = 0; k < cells.size(); ++k)
-      (series_.*header_[k]->values).push_back(header_[k]->unit * number(cells[k], header_[k]->title));
-    const auto& t = series_.time;
-    if (t.size() > 1 && !(t.back() > t[t.size() - 2]))
-      refuse(fmt::format("t = {:g} s; expected a time after the {:g} s of the line above", t.back(), t[t.size() - 2]));
-  }
-
-  double number(std::string_view cell, std::string_view title) const {
-    if (cell.empty()) refuse(fmt::format("{} is missing; expected a number in each cell", title));
-    double value = 0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error != std::errc{} || end != cell.data() + cell.size())
-      refuse(fmt::format("{} = '{}'; expected a number, as in -1.5e-3", title, cell));
-    if (!std::isfinite(value)) refuse(fmt::format("{} = {}; expected a finite number", title, cell));
-    return value;
-  }
-
-  std::string file_;
-  std::size_t line_ = 1;
-  std::vector<const Column*> header_;
-  Parameters::TimeSeries series_;
-};
+  if (t.size() < 4) table.refuse_end(fmt::format("the file ends after {} samples; expected 4 at least", t.size()));
+  return series;
+}
 
 }  // namespace
 
 Parameters::TimeSeries parse_motion(const std::string& text, const std::string& file) {
-  return Reader(file).read(text);
+  return motion_of(Csv(text, file));
 }
 
-Parameters::TimeSeries read_motion_file(const std::string& file) {
-  // Opening a folder succeeds, reading it throws.
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file))
-    throw BadScene(
-        fmt::format("{}: this motion file {}", file, std::filesystem::exists(file) ? "can't be read" : "isn't there"));
-  return parse_motion({std::istreambuf_iterator<char>(in), {}}, file);
-}
+Parameters::TimeSeries read_motion_file(const std::string& file) { return motion_of(read_csv(file, "motion file")); }
 
 }  // namespace seiche::apps

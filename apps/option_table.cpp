@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "apps/options.hpp"
+#include "render/curve_choice.hpp"
 #include "solver/kernels.hpp"
 
 namespace seiche::apps {
@@ -38,8 +39,16 @@ void set_range(Scene& s, const std::string& text) {
   s.look.range = text;
 }
 
+std::string get_curves(const Scene& s) { return s.look.curves; }
+
+void set_curves(Scene& s, const std::string& text) {
+  render::named_curves(text);
+  s.look.curves = text;
+}
+
 const Written size{get_size, set_size, "width x height from 64x64 to 16384x16384, as in 1280x720"};
 const Written range{get_range, set_range, "scene, frame, run, or min,max as in -100,3000"};
+const Written curves{get_curves, set_curves, "auto, none, or up to 3 sensors, as in eta_left, p_left_bottom"};
 
 }  // namespace
 
@@ -144,6 +153,7 @@ const std::vector<Option>& options() {
        range,
        {},
        "of the colours: one from the scene, each frame's own, or the whole run's (drawn after it)"},
+      {"look", "curves", "", curves, {}, "readings drawn under the picture"},
       {"look", "walls", "", AT(look.show_walls), {}, "show wall particles"},
       {"look", "surface", "", AT(look.show_surface), {}, "mark free-surface particles"},
       {"look", "tank", "", AT(look.show_tank), {}, "show the tank's outline"},

@@ -60,7 +60,7 @@ int run(const RunRequest& request) {
                             scene.name};
   folder.check(request.overwrite);
   check_outputs(scene, folder);
-  const auto simulation = make_simulation(scene.parameters, scene.output.probes ? 1 / scene.output.probe_rate : 0);
+  const auto simulation = make_simulation(scene.parameters, scene.samples() ? 1 / scene.output.probe_rate : 0);
   folder.prepare();
   return simulate(scene, folder, *simulation, request.quiet);
 }

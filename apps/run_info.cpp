@@ -26,7 +26,7 @@ RunInfo run_info(const Scene& scene) {
   info.sway = motion_extent(p);
   info.frame_interval = 1 / scene.output.frame_rate;
   info.end = p.time.end;
-  if (scene.output.probes) info.sensors = sensor_columns(p);
+  if (scene.samples()) info.sensors = sensor_columns(p);
   return info;
 }
 

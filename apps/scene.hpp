@@ -26,6 +26,9 @@ struct Scene {
   render::Look look;
 
   bool draws() const { return output.pictures || output.movie != "none"; }
+
+  /// Whether anything needs sensor readings.
+  bool samples() const { return output.probes || (draws() && look.curves != "none"); }
 };
 
 }  // namespace seiche::apps

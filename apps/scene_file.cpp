@@ -7,9 +7,11 @@
 #include <fstream>
 #include <iterator>
 
+#include "apps/curve_sensors.hpp"
 #include "apps/list_settings.hpp"
 #include "apps/motion_file.hpp"
 #include "apps/nearest.hpp"
+#include "apps/references.hpp"
 #include "apps/toml_settings.hpp"
 #include "solver/simulation.hpp"
 
@@ -88,6 +90,8 @@ Scene parse_scene(const std::string& toml, const std::string& file, const std::v
   } catch (const BadParameters& error) {
     throw BadScene(fmt::format("{}: {}", file, error.what()));
   }
+  check_curve_sensors(scene);
+  read_references(scene, fs::path(file).parent_path());
   return scene;
 }
 

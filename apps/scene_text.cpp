@@ -77,6 +77,9 @@ std::string scene_hash(const Scene& scene) {
   std::string all = scene_text(scene);
   const Parameters::TimeSeries& s = scene.parameters.motion.series;
   for (const auto* values : {&s.time, &s.surge, &s.heave, &s.roll}) all += fmt::format("\n{}", fmt::join(*values, ","));
+  for (const render::Reference& reference : scene.look.references)
+    for (const auto* values : {&reference.series.time, &reference.series.value})
+      all += fmt::format("\n{}", fmt::join(*values, ","));
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
   for (const unsigned char c : all) hash = (hash ^ c) * 0x100000001b3;
   return fmt::format("{:016x}", hash);

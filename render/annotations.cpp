@@ -20,16 +20,6 @@ std::string caption_text(const RunInfo& run) {
   return fmt::format("{} \u00b7 {} \u00b7 l\u2080 = {:.3g} mm", run.name, run.kernel, 1e3 * run.spacing);
 }
 
-// Cut at the end, between characters, until it fits.
-std::string shortened(std::string words, double room) {
-  if (text_width(words) <= room) return words;
-  while (!words.empty() && text_width(words + "\u2026") > room) {
-    while (!words.empty() && (words.back() & 0xc0) == 0x80) words.pop_back();
-    if (!words.empty()) words.pop_back();
-  }
-  return words + "\u2026";
-}
-
 double middle(const Box& box) { return box.y + box.height / 2; }
 
 }  // namespace

@@ -19,17 +19,13 @@
 
 #include "render/outputs.hpp"
 #include "render/overlay.hpp"
+#include "render/palette.hpp"
 #include "render/pixels.hpp"
 #include "render/range.hpp"
 #include "render/window.hpp"
 
 namespace seiche::render {
 namespace {
-
-// Colours that differ for the colour-blind too: M. Okabe, K. Ito, Color Universal Design, 2008; its yellow is left out,
-// being too pale for a line on white.
-constexpr std::array<Rgb, 6> colours{
-    {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {0, 0, 0}}};
 
 void style_text(vtkTextProperty* text, double size) {
   set_font(text);
@@ -80,7 +76,7 @@ void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t number, double
   vtkPlot* line = chart->AddPlot(vtkChart::LINE);
   line->SetInputData(table, 0, 1);
   line->SetLabel(" " + curve.name);  // apart from its line
-  const Rgb colour = colours[number % colours.size()];
+  const Rgb colour = line_colours[number % line_colours.size()];
   line->SetColor(colour[0], colour[1], colour[2], 255);
   line->SetWidth(static_cast<float>(font / 7));
 }

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/curve_layout.hpp"
+#include "render/row.hpp"
+
 namespace seiche::render {
 namespace {
 
@@ -11,21 +14,6 @@ double font_height(int width, int height) {
   const double across = width / 1280.0, up = height / 720.0;
   return std::max(9.0, of_720p * std::min({std::sqrt(across * up), 1.4 * across, 1.6 * up}));
 }
-
-// Two items at the ends of a row, or below each other where the row is too short.
-struct Row {
-  double left, right, room, font;
-  double gap() const { return left > 0 && right > 0 ? 2 * font : 0; }
-  bool stacked() const { return left + gap() + right > room; }
-  double height() const {
-    if (left <= 0 && right <= 0) return 0;
-    return (stacked() && gap() > 0 ? 2.9 : 1.5) * font;
-  }
-  void place(double x, double top, Box& first, Box& second) const {
-    first = {x, top - font, std::min(left, room), font};
-    second = {stacked() ? x : x + room - right, stacked() && gap() > 0 ? top - 2.4 * font : top - font, right, font};
-  }
-};
 
 // Beside the tank: colours, ticks and labels under a title. Below it: title, colours, labels. Sizes in font heights.
 struct BarRoom {
@@ -45,13 +33,14 @@ Box upright_bar(const Box& view, double f) {
   return {view.right() + 1.2 * f, view.y + (view.height - height - title - below) / 2 + below, 0.9 * f, height};
 }
 
-Layout lay_out(const Needs& needs, bool upright) {
+// `floor`: height of what lies below [pixels].
+Layout lay_out(const Needs& needs, double floor, bool upright) {
   Layout out;
   const double f = out.font = font_height(needs.width, needs.height);
   out.line = std::max(1.0, std::round(f / 10));
   out.bar_upright = upright;
   const BarRoom bar(needs, upright);
-  const double pad = 1.4 * f, room_x = needs.width - 2 * pad, room_y = needs.height - 2 * pad;
+  const double pad = layout_pad * f, room_x = needs.width - 2 * pad, room_y = needs.height - floor - 2 * pad;
   const double room_view_x = room_x - bar.across * f;
 
   // The ruler's length depends on the scale and the scale on the rows' heights: what it can be at most is reserved.
@@ -64,7 +53,7 @@ Layout lay_out(const Needs& needs, bool upright) {
   out.view.height = needs.view_height * out.scale;
 
   const double block = out.view.width + bar.across * f;
-  const double top_edge = pad + (room_y + out.view.height + rows) / 2;
+  const double top_edge = floor + pad + (room_y + out.view.height + rows) / 2;
   out.view.x = pad + (room_x - block) / 2;
   out.view.y = top_edge - top.height() - out.view.height;
 
@@ -87,11 +76,23 @@ Layout lay_out(const Needs& needs, bool upright) {
   return out;
 }
 
+Layout lay_out_above(const Needs& needs, double floor) {
+  const Layout beside = lay_out(needs, floor, true), below = lay_out(needs, floor, false);
+  return below.scale > beside.scale ? below : beside;
+}
+
+constexpr double least_share = 0.55;  // that curves must leave of the tank's size
+
 }  // namespace
 
 Layout lay_out(const Needs& needs) {
-  const Layout beside = lay_out(needs, true), below = lay_out(needs, false);
-  return below.scale > beside.scale ? below : beside;
+  const double f = font_height(needs.width, needs.height), strip = curve_strip(needs, f), pad = layout_pad * f;
+  const Layout alone = lay_out_above(needs, 0);
+  if (strip == 0) return alone;
+  Layout out = lay_out_above(needs, strip);
+  if (out.scale < least_share * alone.scale) return alone;
+  out.curves = lay_out_curves(needs.curves, {pad, 0, needs.width - 2 * pad, strip}, f);
+  return out;
 }
 
 }  // namespace seiche::render

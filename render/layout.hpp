@@ -1,4 +1,5 @@
 #pragma once
+#include <vector>
 
 namespace seiche::render {
 
@@ -9,6 +10,23 @@ struct Box {
   double top() const { return y + height; }
 };
 
+/// Room between the picture's edge and what is in it, in font heights.
+constexpr double layout_pad = 1.4;
+
+/// What a curve under the picture has to find room for.
+struct CurveNeeds {
+  double title = 0, key = 0;  ///< above it
+  double labels = 0;          ///< of the values, left of it
+  double last_label = 0;      ///< of the times; half of it sticks out on the right
+};
+
+/// Where a curve goes.
+struct CurvePlace {
+  Box plot;           ///< between its axes
+  Box title, key;     ///< above it
+  Box values, times;  ///< the axes' labels
+};
+
 /// What has to find its place. Widths of texts are in font heights; 0 leaves the item out.
 struct Needs {
   int width = 0, height = 0;               ///< of the picture [pixels]
@@ -16,6 +34,7 @@ struct Needs {
   double caption = 0, clock = 0, key = 0;
   double ruler = 0, ruler_label = 0;  ///< the ruler's length as the camera sees it [m]
   double bar_labels = 0, bar_title = 0;
+  std::vector<CurveNeeds> curves{};
 };
 
 /// Where everything goes. The rows lie close around the tank, so that the picture reads as one figure.
@@ -27,9 +46,11 @@ struct Layout {
   Box caption, clock, ruler, key;
   Box bar;  ///< the colours alone, without the triangles at the ends
   bool bar_upright = true;
+  std::vector<CurvePlace> curves;  ///< none where they would take nearly half of the tank's size
 };
 
-/// Tries the scalar bar beside the tank and below it, and takes what shows the tank larger.
+/// Curves go below all else. Of the room above them: tries the scalar bar beside the tank and below it, and takes what
+/// shows the tank larger.
 Layout lay_out(const Needs& needs);
 
 }  // namespace seiche::render

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "render/colour_map.hpp"
+#include "render/curve_choice.hpp"
 
 namespace seiche::render {
 
@@ -25,6 +26,7 @@ void check_look(const Look& look) {
   among("style", look.style, {"disc", "dot"});
   among("view", look.view, {"tank", "lab"});
   parse_range(look.range);
+  named_curves(look.curves);
 }
 
 }  // namespace seiche::render

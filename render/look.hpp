@@ -1,8 +1,24 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace seiche::render {
+
+/// Values over time.
+struct Series {
+  std::vector<double> time;   ///< [s], ascending
+  std::vector<double> value;  ///< one for each time
+};
+
+/// A series to compare a sensor's curve with, drawn over it for the whole run.
+struct Reference {
+  std::string of;      ///< the sensor, without its unit, as in "eta_left"
+  std::string label;   ///< what the picture calls it
+  std::string file;    ///< CSV that it comes from
+  std::string column;  ///< of the file
+  Series series;
+};
 
 /// How a picture looks. Every member is a scene key of [look] or [output].
 struct Look {
@@ -12,6 +28,8 @@ struct Look {
   std::string style = "disc";          ///< disc: edged discs that fill the spacing | dot: small plain ones
   std::string view = "tank";           ///< tank: the tank stands still | lab: the tank moves
   std::string range = "scene";         ///< scene | frame | run | "min,max" [Pa]
+  std::string curves = "auto";         ///< auto | none | sensors without their units, as in "eta_left, p_left_bottom"
+  std::vector<Reference> references;   ///< one to a [[look.reference]]
   bool show_walls = true;
   bool show_surface = true;  ///< mark free-surface particles
   bool show_tank = true;     ///< the tank's outline

@@ -47,7 +47,7 @@ Overlay::Overlay(vtkRenderer* renderer)
   renderer_->AddActor2D(actor);
 }
 
-void Overlay::polygon(const std::vector<std::array<double, 2>>& corners, Rgb colour) {
+void Overlay::polygon(const std::vector<Point>& corners, Rgb colour) {
   cells_->InsertNextCell(static_cast<int>(corners.size()));
   for (const auto& [x, y] : corners) cells_->InsertCellPoint(points_->InsertNextPoint(sharpness * x, sharpness * y, 0));
   colours_->InsertNextTypedTuple(colour.data());
@@ -65,6 +65,20 @@ void Overlay::ring(double x, double y, double inner, double outer, Rgb colour) {
   };
   for (int part = 0; part < parts; ++part)
     polygon({at(inner, part), at(outer, part), at(outer, part + 1), at(inner, part + 1)}, colour);
+}
+
+void Overlay::line(const Line& points, double width, Rgb colour) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto [ax, ay] = points[i - 1];
+    const auto [bx, by] = points[i];
+    const double length = std::hypot(bx - ax, by - ay);
+    if (length == 0) continue;
+    const double dx = (bx - ax) / length * width / 2, dy = (by - ay) / length * width / 2;
+    // A piece reaches half a width into its neighbours, which fills the notch between them.
+    const double before = i > 1 ? 1 : 0, after = i + 1 < points.size() ? 1 : 0;
+    const Point a{ax - before * dx, ay - before * dy}, b{bx + after * dx, by + after * dy};
+    polygon({{a[0] - dy, a[1] + dx}, {b[0] - dy, b[1] + dx}, {b[0] + dy, b[1] - dx}, {a[0] + dy, a[1] - dx}}, colour);
+  }
 }
 
 void Overlay::clear() {
@@ -101,6 +115,16 @@ double text_width(const std::string& words) {
   int box[4] = {};
   if (!vtkTextRenderer::GetInstance()->GetBoundingBox(style, words, box, dpi)) return 0;
   return static_cast<double>(box[1] - box[0] + 1) / font;
+}
+
+std::string shortened(std::string words, double room) {
+  if (text_width(words) <= room) return words;
+  // Between characters, which may be several bytes long.
+  while (!words.empty() && text_width(words + "\u2026") > room) {
+    while (!words.empty() && (words.back() & 0xc0) == 0x80) words.pop_back();
+    if (!words.empty()) words.pop_back();
+  }
+  return words + "\u2026";
 }
 
 }  // namespace seiche::render

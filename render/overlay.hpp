@@ -7,6 +7,7 @@
 
 #include "render/colour_map.hpp"
 #include "render/layout.hpp"
+#include "render/polyline.hpp"
 
 class vtkCellArray;
 class vtkPoints;
@@ -25,10 +26,13 @@ class Overlay {
   explicit Overlay(vtkRenderer* renderer);
 
   /// A convex polygon.
-  void polygon(const std::vector<std::array<double, 2>>& corners, Rgb colour);
+  void polygon(const std::vector<Point>& corners, Rgb colour);
   void box(const Box& box, Rgb colour);
   /// A circle with a hole; no hole when `inner` is 0.
   void ring(double x, double y, double inner, double outer, Rgb colour);
+
+  /// A line through points, its inner corners without notches.
+  void line(const Line& points, double width, Rgb colour);
 
   /// Takes everything away again.
   void clear();
@@ -49,5 +53,8 @@ void set_font(vtkTextProperty* style);
 
 /// Width of a line of text in font heights.
 double text_width(const std::string& words);
+
+/// The words, cut at the end until they are no wider than `room` font heights.
+std::string shortened(std::string words, double room);
 
 }  // namespace seiche::render

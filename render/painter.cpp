@@ -13,6 +13,8 @@
 
 #include "render/annotations.hpp"
 #include "render/camera.hpp"
+#include "render/curve_strip.hpp"
+#include "render/palette.hpp"
 #include "render/particles.hpp"
 #include "render/pixels.hpp"
 #include "render/scalar_bar.hpp"
@@ -21,15 +23,6 @@
 
 namespace seiche::render {
 namespace {
-
-struct Palette {
-  Rgb paper, ink, outline, shade;
-};
-
-Palette palette(const std::string& background) {
-  if (background == "black") return {{0, 0, 0}, {232, 232, 232}, {214, 214, 214}, {30, 31, 33}};
-  return {{255, 255, 255}, {34, 34, 34}, {64, 64, 64}, {240, 241, 243}};
-}
 
 // Everything that any frame may show: the tank with the layers of its wall, and in the lab's view where it sways to.
 Bounds room_of(const RunInfo& run, const Look& look, const Frame& first) {
@@ -59,14 +52,16 @@ struct Painter::Stage {
   std::optional<Annotations> words;
   std::optional<Particles> particles;
   std::optional<ScalarBar> bar;
+  CurveStrip strip;
   std::vector<vtkSmartPointer<vtkActor>> tank;
   PixelReader pixels;
 
-  Stage(const RunInfo& run, const Look& look, const Frame& first);
+  Stage(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves, const Frame& first);
   void set_background(const Look& look, Rgb paper);
 };
 
-Painter::Stage::Stage(const RunInfo& run, const Look& look, const Frame& first) {
+Painter::Stage::Stage(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves, const Frame& first)
+    : strip(curves) {
   const Palette colours = palette(look.background);
   const View view(run.dimension, room_of(run, look, first));
   words.emplace(run, look, round_below(0.25 * view.width()));
@@ -77,6 +72,7 @@ Painter::Stage::Stage(const RunInfo& run, const Look& look, const Frame& first) 
     needs.bar_labels = ScalarBar::label_width(parse_range(look.range).value_or(scene_range(run)));
     needs.bar_title = text_width(ScalarBar::title);
   }
+  strip.claim(needs);
   const Layout layout = lay_out(needs);
   if (!(layout.scale > 0))
     throw std::invalid_argument(fmt::format("a picture of {} x {} pixels is too small", look.width, look.height));
@@ -94,6 +90,7 @@ Painter::Stage::Stage(const RunInfo& run, const Look& look, const Frame& first) 
   particles.emplace(renderer, run, look, layout.scale, std::max(1.2, 0.08 * layout.font));
   if (look.show_bar) bar.emplace(renderer, layout, ColourMap(look.colour_map), colours.ink);
   words->place(renderer, layout, view.foreshortening(), colours.ink);
+  strip.place(renderer, layout, colours);
 }
 
 void Painter::Stage::set_background(const Look& look, Rgb paper) {
@@ -106,11 +103,18 @@ void Painter::Stage::set_background(const Look& look, Rgb paper) {
   }
 }
 
-Painter::Painter(const RunInfo& run, const Look& look) : run_(run), look_(look) { check_look(look); }
+Painter::Painter(const RunInfo& run, const Look& look) : run_(run), look_(look) {
+  check_look(look);
+  curves_ = sensor_curves(run, look);
+}
 Painter::~Painter() = default;
 
+void Painter::record(const Readings& readings) {
+  for (SensorCurve& curve : curves_) render::record(curve, readings);
+}
+
 Image Painter::draw(const Frame& frame, Range range) {
-  if (!stage_) stage_ = std::make_unique<Stage>(run_, look_, frame);
+  if (!stage_) stage_ = std::make_unique<Stage>(run_, look_, curves_, frame);
   const TankPose pose = look_.view == "lab" ? frame.pose : TankPose{};
   stage_->particles->show(frame, range, pose);
   for (const auto& part : stage_->tank) {
@@ -122,6 +126,7 @@ Image Painter::draw(const Frame& frame, Range range) {
   }
   if (stage_->bar) stage_->bar->show(range, fluid_range(frame));
   stage_->words->set_time(frame.time);
+  stage_->strip.show(frame.time);
   stage_->window->Render();
   return stage_->pixels.read(stage_->window);
 }

@@ -3,6 +3,7 @@
 
 #include "render/image.hpp"
 #include "render/look.hpp"
+#include "render/sensor_curve.hpp"
 #include "solver/frame.hpp"
 
 namespace seiche::render {
@@ -14,12 +15,16 @@ class Painter {
   Painter(const RunInfo& run, const Look& look);
   ~Painter();
 
+  /// Takes over readings for the curves under the picture: a frame shows those up to its time, on axes that hold all.
+  void record(const Readings& readings);
+
   Image draw(const Frame& frame, Range range);
 
  private:
   struct Stage;
   RunInfo run_;
   Look look_;
+  std::vector<SensorCurve> curves_;
   std::unique_ptr<Stage> stage_;
 };
 

@@ -21,6 +21,7 @@ class Pictures : public Sink {
   }
 
   void frame(const FramePtr& frame) override {
+    painter_->record(frame->readings);
     if (look_.range == "run")
       kept_.push_back(frame);
     else

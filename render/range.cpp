@@ -12,18 +12,19 @@ namespace {
 
 double power_of_ten_below(double x) { return std::pow(10.0, std::floor(std::log10(x) + 1e-9)); }
 
-constexpr int most_steps = 8;
+constexpr int usual_steps = 8;
 
-// The smallest round step that cuts the range into at most eight parts; rather one, if there is, that meets both its
-// ends.
-double round_step(Range range) {
-  const double least = (range.high - range.low) / most_steps;
+// The smallest round step that cuts the range into no more than `most` parts; rather one, if there is, that meets both
+// its ends.
+double round_step(Range range, int most) {
+  const double least = (range.high - range.low) / most;
+  const double fewest = std::min(3.0, 0.5 * most);
   const double base = power_of_ten_below(least);
   const auto meets = [](double end, double step) { return std::abs(end / step - std::round(end / step)) < 1e-6; };
   double smallest = 0;
   for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0}) {
     const double step = factor * base;
-    if (step < least * (1 - 1e-9) || 3 * step > (range.high - range.low) * (1 + 1e-9)) continue;
+    if (step < least * (1 - 1e-9) || fewest * step > (range.high - range.low) * (1 + 1e-9)) continue;
     if (smallest == 0) smallest = step;
     if (meets(range.low, step) && meets(range.high, step)) return step;
   }
@@ -57,13 +58,15 @@ std::optional<Range> parse_range(const std::string& text) {
   return range;
 }
 
-Ticks round_ticks(Range range) {
+Ticks round_ticks(Range range, int most) {
   Ticks ticks;
-  ticks.step = round_step(range);
+  ticks.step = round_step(range, most);
   const double first = std::ceil(range.low / ticks.step - slack), last = std::floor(range.high / ticks.step + slack);
   for (double k = first; k <= last; ++k) ticks.values.push_back(k == 0 ? 0.0 : k * ticks.step);
   return ticks;
 }
+
+Ticks round_ticks(Range range) { return round_ticks(range, usual_steps); }
 
 std::string tick_label(double value, double step) {
   const double size = std::abs(value);
@@ -76,7 +79,7 @@ std::string tick_label(double value, double step) {
 
 Range rounded(Range range) {
   if (!(range.high > range.low)) range.high = range.low + 1;
-  const double step = round_step(range);
+  const double step = round_step(range, usual_steps);
   return {step * std::floor(range.low / step + slack), step * std::ceil(range.high / step - slack)};
 }
 

@@ -7,11 +7,15 @@
 
 namespace seiche::render {
 
-/// At most nine values 0, +-step, +-2 step .. within a range, with step = 1, 2, 2.5 or 5 times a power of ten.
+/// Values 0, +-step, +-2 step .. within a range, with step = 1, 2, 2.5 or 5 times a power of ten.
 struct Ticks {
   std::vector<double> values;
   double step = 1;
 };
+/// `most`: parts that the range is cut into at most, 2 or more.
+Ticks round_ticks(Range range, int most);
+
+/// Into at most eight parts.
 Ticks round_ticks(Range range);
 
 /// The tick's number without needless digits, as in "500" or "0.25", with a true minus sign.

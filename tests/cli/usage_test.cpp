@@ -100,6 +100,15 @@ TEST(Usage, EachBadSceneExitsWith2AndNamesTheFault) {
       "--range 1: [look] range = '1' cannot be used; expected scene, frame, run, or min,max as in -100,3000 [Pa]\n");
   EXPECT_EQ(error_of("", {"--set", "tank.lenght=1"}),
             "--set tank.lenght=1: 'tank.lenght' is no key of a scene; did you mean 'tank.length'?\n");
+  EXPECT_EQ(error_of("", {"--set", "look.curves=eta_lft"}),
+            "x.toml: [look] curves = 'eta_lft' is no sensor of this scene; expected one of p_left_bottom, eta_left, "
+            "eta_right; did you mean 'eta_left'?\n");
+  EXPECT_EQ(error_of("[look]\ncurves = \"a, b, c, d\"\n"),
+            "x.toml:2:10: [look] curves = 'a, b, c, d' cannot be used; expected auto, none, or up to 3 sensors, as in "
+            "eta_left, p_left_bottom\n");
+  write_text(scratch / "bad.csv", "t,eta_left\n0,0\n0.1,wet\n");
+  EXPECT_EQ(error_of("[[look.reference]]\nof = \"eta_left\"\nfile = \"bad.csv\"\n"),
+            "bad.csv:3: eta_left = 'wet'; expected a number, as in -1.5e-3\n");
   EXPECT_NE(error_of("[output]\nsize = \"641x480\"\n").find("even width"), std::string::npos);
   EXPECT_EQ(seiche(scratch.folder(), {"check", "y.toml"}).err,
             "y.toml: there is no such file; did you mean 'x.toml'?\n");

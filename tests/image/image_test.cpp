@@ -1,22 +1,17 @@
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "render/outputs.hpp"
 #include "render/painter.hpp"
 #include "render/range.hpp"
+#include "tests/image/baseline.hpp"
 #include "tests/image/ssim.hpp"
-#include "tests/unit/render/read_png.hpp"
 #include "tests/unit/render/synthetic.hpp"
 
-// Pictures against baselines. To take a picture over as the new baseline, look at it and copy it to
-// tests/image/baseline.
+// Pictures against baselines.
 using namespace seiche;
 using namespace seiche::render;
+using test::expect_baseline, test::least_mean, test::least_tile;
 
 namespace {
-
-// Processors differ by 1/255 here and there, and in a sample of an edge; a wrong picture is far below.
-constexpr double least_mean = 0.99, least_tile = 0.9;
 
 const test::Box sloshing{.spacing = 0.01};
 
@@ -30,15 +25,6 @@ Look sized(int width, int height) {
   look.width = width;
   look.height = height;
   return look;
-}
-
-void expect_baseline(const std::string& name, const Image& image) {
-  const auto actual = std::filesystem::path(ACTUAL) / (name + ".png");
-  const auto baseline = std::filesystem::path(BASELINES) / (name + ".png");
-  write_png(actual, image, {});
-  const auto found = test::similarity(image, test::read_png(baseline));
-  EXPECT_GE(found.mean, least_mean) << "look at " << actual << " beside " << baseline;
-  EXPECT_GE(found.least, least_tile) << "look at " << actual << " beside " << baseline;
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(MotionFile, ConvertsUnits) {
 
 TEST(MotionFile, NamesTheLineOfAMistakeAndWhatWasExpected) {
   const std::string known = "t [s] and surge [m], heave [m] or roll [deg] (also in ms, cm, mm, rad)";
-  EXPECT_EQ(error_of(""), "m.csv:1: an empty file; expected a header with " + known);
+  EXPECT_EQ(error_of(""), "m.csv:1: an empty file; expected a header of column titles");
   EXPECT_EQ(error_of("t [s],sway [m]\n0,0\n"), "m.csv:1: 'sway [m]' is no column of a motion; expected " + known);
   EXPECT_EQ(error_of("t,surge [m]\n0,0\n"), "m.csv:1: 't' is no column of a motion; expected " + known);
   EXPECT_EQ(error_of("t [s],surge [inch]\n"), "m.csv:1: 'surge [inch]' is no column of a motion; expected " + known);

@@ -22,6 +22,12 @@ Needs needs(int width, int height, double view_width, double view_height) {
   return all;
 }
 
+std::vector<CurveNeeds> curves(std::size_t count) {
+  std::vector<CurveNeeds> all(count, {.title = 8, .key = 0, .labels = 4, .last_label = 1});
+  if (count > 0) all[0].key = 18;
+  return all;
+}
+
 bool apart(const Box& a, const Box& b) {
   return a.right() <= b.x || b.right() <= a.x || a.top() <= b.y || b.top() <= a.y;
 }
@@ -33,19 +39,29 @@ TEST(Layout, NothingIsClippedAndNothingOverlaps) {
   const double views[][2] = {{0.6, 0.4}, {3, 0.3}, {0.3, 1.2}, {1, 1}};
   for (const auto& [width, height] : sizes)
     for (const auto& [across, up] : views) {
-      SCOPED_TRACE(testing::Message() << width << " x " << height << " pixels for " << across << " x " << up << " m");
-      const Needs all = needs(width, height, across, up);
-      const Layout layout = lay_out(all);
-      ASSERT_GT(layout.scale, 0);
-      const Box boxes[] = {layout.view, layout.caption, layout.clock, layout.ruler, layout.key, layout.bar};
-      for (std::size_t i = 0; i < std::size(boxes); ++i) {
-        EXPECT_GE(boxes[i].x, 0) << i;
-        EXPECT_GE(boxes[i].y, 0) << i;
-        EXPECT_LE(boxes[i].right(), width) << i;
-        EXPECT_LE(boxes[i].top(), height) << i;
-        for (std::size_t j = 0; j < i; ++j) EXPECT_TRUE(apart(boxes[i], boxes[j])) << i << " and " << j;
+      for (std::size_t count = 0; count <= 3; ++count) {
+        SCOPED_TRACE(testing::Message() << width << " x " << height << " pixels for " << across << " x " << up << " m, "
+                                        << count << " curves");
+        Needs all = needs(width, height, across, up);
+        all.curves = curves(count);
+        const Layout layout = lay_out(all);
+        ASSERT_GT(layout.scale, 0);
+        std::vector<Box> boxes{layout.view, layout.caption, layout.clock, layout.ruler, layout.key, layout.bar};
+        for (const CurvePlace& place : layout.curves) {
+          EXPECT_GE(place.plot.height, 3 * layout.font);
+          EXPECT_GE(place.plot.width, 8 * layout.font);
+          boxes.insert(boxes.end(), {place.plot, place.title, place.values, place.times});
+          if (place.key.width > 0) boxes.push_back(place.key);
+        }
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+          EXPECT_GE(boxes[i].x, 0) << i;
+          EXPECT_GE(boxes[i].y, 0) << i;
+          EXPECT_LE(boxes[i].right(), width) << i;
+          EXPECT_LE(boxes[i].top(), height) << i;
+          for (std::size_t j = 0; j < i; ++j) EXPECT_TRUE(apart(boxes[i], boxes[j])) << i << " and " << j;
+        }
+        EXPECT_GE(layout.caption.width, all.caption * layout.font * 0.999) << "the caption is cut";
       }
-      EXPECT_GE(layout.caption.width, all.caption * layout.font * 0.999) << "the caption is cut";
     }
 }
 
@@ -71,4 +87,29 @@ TEST(Layout, HiddenPartsLeaveTheirRoomToTheTank) {
   const double with_bar = lay_out(all).scale;
   all.caption = all.clock = all.key = all.ruler = all.bar_labels = 0;
   EXPECT_GT(lay_out(all).scale, 1.1 * with_bar);
+}
+
+TEST(Layout, CurvesTakeAFifthToTwoFifthsOfTheHeight) {
+  const int sizes[][2] = {{640, 480}, {1280, 720}, {1920, 1080}, {640, 360}};
+  for (const auto& [width, height] : sizes) {
+    Needs all = needs(width, height, 0.6, 0.4);
+    all.curves = curves(2);
+    const Layout layout = lay_out(all);
+    ASSERT_EQ(layout.curves.size(), 2u);
+    EXPECT_LT(layout.curves[0].title.top(), 0.4 * height);
+    EXPECT_GT(layout.curves[0].title.top(), 0.2 * height);
+    EXPECT_EQ(layout.curves[0].plot.y, layout.curves[1].plot.y);
+    EXPECT_EQ(layout.curves[0].plot.height, layout.curves[1].plot.height);
+  }
+}
+
+TEST(Layout, APictureTooSmallForCurvesIsAsWithoutThem) {
+  const int sizes[][2] = {{200, 150}, {1920, 200}, {300, 600}};
+  for (const auto& [width, height] : sizes) {
+    Needs all = needs(width, height, 0.6, 0.4);
+    const double scale = lay_out(all).scale;
+    all.curves = curves(3);
+    EXPECT_TRUE(lay_out(all).curves.empty()) << width;
+    EXPECT_EQ(lay_out(all).scale, scale);
+  }
 }

@@ -1,0 +1,27 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/look.hpp"
+
+namespace seiche::render {
+
+/// No more curves than this find room under a picture.
+constexpr std::size_t most_curves = 3;
+
+/// Look::curves as a list of names: nothing for "auto", an empty list for "none". Throws std::invalid_argument when
+/// a name is empty, or they are too many.
+std::optional<std::vector<std::string>> named_curves(const std::string& curves);
+
+/// A column's name without its unit: "p_left_bottom" of "p_left_bottom [Pa]".
+std::string bare_name(const std::string& column);
+
+/// A column's name in words: "pressure, left bottom [Pa]" of "p_left_bottom [Pa]".
+std::string curve_title(const std::string& column);
+
+/// Which of the run's sensor columns are drawn. "auto": those that have a reference, then the first elevation, the
+/// first pressure and the tank's motion. Throws std::invalid_argument for a name that no column bears.
+std::vector<std::size_t> chosen_columns(const Look& look, const std::vector<std::string>& sensors);
+
+}  // namespace seiche::render

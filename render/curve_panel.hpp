@@ -1,0 +1,43 @@
+#pragma once
+#include <optional>
+
+#include "render/layout.hpp"
+#include "render/overlay.hpp"
+#include "render/palette.hpp"
+#include "render/polyline.hpp"
+#include "render/sensor_curve.hpp"
+
+namespace seiche::render {
+
+/// Into how many parts ticks may cut an axis.
+constexpr int fewest_ticks = 2, most_ticks = 8;
+
+/// One curve over time between its axes: readings up to now as a solid line, references dashed for the whole run, and
+/// a mark at the present time.
+class CurvePanel {
+ public:
+  /// `curve` outlives it.
+  CurvePanel(vtkRenderer* renderer, const CurvePlace& place, double font, const SensorCurve& curve,
+             const Palette& colours);
+
+  void show(double time);
+
+  static constexpr const char* time_title = "t [s]";
+
+ private:
+  void draw_axes();
+  void draw_values();
+  void draw_times();
+  void draw_references();
+  Point at(const Point& point) const;
+  Line at(Line line) const;
+
+  CurvePlace place_;
+  double font_, thin_;  // heights of the text, and of a thin line [pixels]
+  const SensorCurve& curve_;
+  Palette colours_;
+  Overlay axes_, line_, references_, mark_;  // in the order in which they lie over each other
+  std::optional<Range> range_;
+};
+
+}  // namespace seiche::render

@@ -1,0 +1,24 @@
+#pragma once
+#include <array>
+#include <string>
+
+#include "render/colour_map.hpp"
+
+namespace seiche::render {
+
+/// Colours that differ for the colour-blind too: M. Okabe, K. Ito, Color Universal Design, 2008; its yellow is left
+/// out, being too pale for a line on white.
+constexpr std::array<Rgb, 6> line_colours{
+    {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {0, 0, 0}}};
+
+/// A picture's colours but for its colour map.
+struct Palette {
+  Rgb paper, ink, outline, shade;
+  Rgb grid, curve;                ///< of the curves under the picture
+  std::array<Rgb, 3> references;  ///< of the series beside them, in turn
+};
+
+/// Of Look::background.
+Palette palette(const std::string& background);
+
+}  // namespace seiche::render

@@ -1,0 +1,90 @@
+#include "render/sensor_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/curve_choice.hpp"
+#include "render/range.hpp"
+
+namespace seiche::render {
+namespace {
+
+void widen(std::optional<Range>& range, double value) {
+  if (!std::isfinite(value)) return;
+  if (!range) range = Range{value, value};
+  range = Range{std::min(range->low, value), std::max(range->high, value)};
+}
+
+std::optional<Range> reference_range(const SensorCurve& curve) {
+  std::optional<Range> range;
+  for (const Reference& reference : curve.references)
+    for (std::size_t i = 0; i < reference.series.time.size(); ++i)
+      if (reference.series.time[i] >= 0 && reference.series.time[i] <= curve.end)
+        widen(range, reference.series.value[i]);
+  return range;
+}
+
+double middle(const SensorCurve& curve) {
+  if (curve.about_zero) return 0;
+  const auto& values = curve.series.value;
+  const auto first = std::find_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  return first == values.end() ? 0 : *first;
+}
+
+// A quarter of what the still liquid has; of the motion all of it, which is known.
+double reach_of(const std::string& column, const RunInfo& run) {
+  const std::string name = bare_name(column);
+  if (name == "surge" && run.sway[0] != 0) return run.sway[0];
+  if (name == "heave" && run.sway[1] != 0) return run.sway[1];
+  if (column.ends_with("[Pa]")) return 0.25 * run.density * std::abs(run.gravity) * run.depth;
+  if (column.ends_with("[m]")) return 0.25 * run.depth;
+  return 1;
+}
+
+}  // namespace
+
+std::vector<SensorCurve> sensor_curves(const RunInfo& run, const Look& look) {
+  std::vector<SensorCurve> curves;
+  if (run.sensors.empty()) return curves;
+  for (const std::size_t column : chosen_columns(look, run.sensors)) {
+    const std::string& name = run.sensors[column];
+    SensorCurve curve{.title = curve_title(name), .column = column, .end = run.end, .reach = reach_of(name, run)};
+    curve.about_zero = !name.ends_with("[Pa]");
+    for (const Reference& reference : look.references)
+      if (reference.of == bare_name(name)) curve.references.push_back(reference);
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+void record(SensorCurve& curve, const Readings& readings) {
+  if (readings.time.empty()) return;
+  const std::size_t columns = readings.values.size() / readings.time.size();
+  for (std::size_t row = 0; row < readings.time.size(); ++row) {
+    const double value = readings.values[row * columns + curve.column];
+    curve.series.time.push_back(readings.time[row]);
+    curve.series.value.push_back(value);
+    widen(curve.extent, value);
+  }
+}
+
+Range axis_range(const SensorCurve& curve) {
+  double centre = middle(curve);
+  Range range{centre - curve.reach, centre + curve.reach};
+  if (const auto span = reference_range(curve); span && span->high > span->low) {
+    range = *span;
+    centre = (range.low + range.high) / 2;
+  }
+  // Readings are held against the rounded range: those just beyond a reference seldom leave it.
+  while (curve.extent && curve.extent->low < rounded(range).low) range.low -= centre - range.low;
+  while (curve.extent && curve.extent->high > rounded(range).high) range.high += range.high - centre;
+  return rounded(range);
+}
+
+Range widest_range(const SensorCurve& curve) {
+  const Range now = axis_range(curve);
+  const double most = 8 * std::max({curve.reach, std::abs(now.low), std::abs(now.high)});
+  return {-most, most};
+}
+
+}  // namespace seiche::render

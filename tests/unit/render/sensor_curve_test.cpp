@@ -1,0 +1,82 @@
+#include "render/sensor_curve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/unit/render/synthetic_curves.hpp"
+
+using namespace seiche;
+using namespace seiche::render;
+
+namespace {
+
+SensorCurve curve_of(const std::string& sensor, const std::vector<Reference>& references = {}) {
+  Look look;
+  look.curves = sensor;
+  look.references = references;
+  return sensor_curves(test::run_with_sensors({}), look).at(0);  // 0.2 m of water, 1962 Pa
+}
+
+void read(SensorCurve& curve, double time, double value) { record(curve, {{time}, {value, value, value, value}}); }
+
+void expect_range(const SensorCurve& curve, double low, double high) {
+  EXPECT_NEAR(axis_range(curve).low, low, 1e-9);
+  EXPECT_NEAR(axis_range(curve).high, high, 1e-9);
+}
+
+}  // namespace
+
+TEST(SensorCurve, KeepsTheReadingsOfItsOwnColumn) {
+  SensorCurve curve = curve_of("eta_left");
+  record(curve, test::readings(0, 0.1));
+  record(curve, {});
+  record(curve, test::readings(0.11, 0.2));
+  ASSERT_EQ(curve.series.time.size(), 21u);
+  for (std::size_t i = 0; i < 21; ++i) EXPECT_EQ(curve.series.value[i], test::reading(curve.series.time[i])[1]) << i;
+}
+
+TEST(SensorCurve, NoSensorsNoCurves) { EXPECT_TRUE(sensor_curves(test::run_info({}), Look{}).empty()); }
+
+TEST(SensorCurve, TakesTheReferencesOfItsSensorOnly) {
+  EXPECT_EQ(curve_of("eta_left", {test::reference()}).references.size(), 1u);
+  EXPECT_TRUE(curve_of("eta_right", {test::reference()}).references.empty());
+}
+
+TEST(AxisRange, BeginsWithAQuarterOfWhatTheStillLiquidHas) {
+  expect_range(curve_of("eta_left"), -0.05, 0.05);
+  expect_range(curve_of("surge"), -0.02, 0.02);
+  SensorCurve pressure = curve_of("p_left_bottom");
+  read(pressure, 0, 1962);
+  expect_range(pressure, 1400, 2600);
+}
+
+TEST(AxisRange, StandsStillUntilReadingsLeaveItThenDoublesOnThatSide) {
+  SensorCurve curve = curve_of("eta_left");
+  read(curve, 0, 0);
+  read(curve, 1, 0.0499);
+  expect_range(curve, -0.05, 0.05);
+  read(curve, 2, 0.051);
+  expect_range(curve, -0.05, 0.1);
+  read(curve, 3, -0.3);
+  expect_range(curve, -0.4, 0.1);
+}
+
+TEST(AxisRange, BeginsWithWhatTheReferencesSpan) {
+  Reference reference = test::reference();
+  reference.series = {{-1, 0, 5, 11}, {7, -0.2, 0.1, 9}};  // only 0 to 10 s are shown
+  SensorCurve curve = curve_of("eta_left", {reference});
+  read(curve, 0, 0);
+  expect_range(curve, -0.2, 0.1);
+  read(curve, 1, 0.12);  // 0.15 above the middle, doubled and rounded
+  expect_range(curve, -0.2, 0.3);
+}
+
+TEST(AxisRange, TakesNoNoticeOfWhatIsNotFinite) {
+  SensorCurve curve = curve_of("eta_left");
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    read(curve, 0, value);
+  expect_range(curve, -0.05, 0.05);
+  read(curve, 1, 1e30);
+  EXPECT_GE(axis_range(curve).high, 1e30);
+}
