@@ -26,12 +26,14 @@ Mps<D, K>::Mps(const Parameters& p, K kernel, double sample_interval)
   fluid_at_start_ = totals_.fluid_particles;
   refresh_neighbours();
   find_surface();
+  if (const StandingWave wave(p); p.fluid.wave_amplitude > 0)
+    each_fluid([&](int i) { s_.velocity[i] = wave.velocity<D>(s_.position[i]); });
   if (p.motion.start == "impulsive" && motion_.fastest() > 0) {
     const double jump = motion_.velocity(0);
     if (ghost_walls())
       project_start(jump);
     else
-      each_fluid([&](int i) { s_.velocity[i][0] = -jump; });
+      each_fluid([&](int i) { s_.velocity[i][0] -= jump; });
   }
   fastest_ = watch_.check_motion(s_);
   sensors_.read(s_);
