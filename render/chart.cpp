@@ -77,12 +77,13 @@ void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t number, double
   vtkNew<vtkTable> table;
   table->AddColumn(x);
   table->AddColumn(y);
-  vtkPlot* line = chart->AddPlot(vtkChart::LINE);
+  vtkPlot* line = chart->AddPlot(curve.mark == Mark::points ? vtkChart::POINTS : vtkChart::LINE);
   line->SetInputData(table, 0, 1);
   line->SetLabel(" " + curve.name);  // apart from its line
-  const Rgb colour = colours[number % colours.size()];
+  const Rgb colour = curve.mark == Mark::line ? colours[number % colours.size()] : Rgb{0, 0, 0};
   line->SetColor(colour[0], colour[1], colour[2], 255);
   line->SetWidth(static_cast<float>(font / 7));
+  if (curve.mark == Mark::dashes) line->GetPen()->SetLineType(vtkPen::DASH_LINE);
 }
 
 }  // namespace
