@@ -50,7 +50,7 @@ Findings standing_wave(Bench& bench) {
       {title + "decay at nu = 0, as a viscosity nu_num", 1e6 * own.decay / (2 * k * k), "mm^2/s", {}}};
   Chart chart{fmt::format("Standing wave, {}spacing: share of the mode", title.substr(0, 4) + " "),
               "t [s]",
-              "u . U / U . U [-]",
+              "share of the velocity at the start [-]",
               {{"nu = 0", free.t, free.y}}};
   for (const double viscosity : {0.003, 0.006}) {
     Series q;
