@@ -1,12 +1,10 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numeric>
 
-#include "apps/validate/case.hpp"
 #include "apps/validate/filter.hpp"
 #include "apps/validate/fit.hpp"
 #include "apps/validate/measures.hpp"
+#include "apps/validate/pan2008_runs.hpp"
 #include "apps/validate/surface.hpp"
 
 // The tank of Pan, Zhang and Lu (2008) against fully nonlinear potential theory. Where theory and two-fluid codes
@@ -15,9 +13,9 @@
 namespace seiche::validate {
 namespace {
 
+using namespace pan;
+
 constexpr double cut = 10;  // noise is what lies above it [Hz]
-constexpr const char* corner = "p_left_bottom [Pa]";
-constexpr const char* theory = "theory_fnpf_impulsive";
 
 /// One spacing's run, and what is asked of it; nothing where the run is too short for it.
 struct Resolution {
@@ -41,49 +39,6 @@ const std::vector<Resolution> resolutions{
     {.spacing = 0.0025, .end = 3.05, .early_level = at_most(0.025)},
 };
 
-struct References {
-  Series left, right, pressure;
-  std::map<double, Series> profiles;  // by time [s]; z over x [m]
-};
-
-References read_references(const Bench& bench) {
-  References r{bench.reference(theory, "t", "eta_left"),
-               bench.reference(theory, "t", "eta_right"),
-               bench.reference(theory, "t", "p_left_bottom"),
-               {}};
-  const std::string profiles = std::string(theory) + "_profiles";
-  const Series x = bench.reference(profiles, "t", "x"), z = bench.reference(profiles, "t", "z");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    r.profiles[x.t[i]].t.push_back(x.y[i]);
-    r.profiles[x.t[i]].y.push_back(z.y[i]);
-  }
-  return r;
-}
-
-/// A run's sensors, and its surface over x at each frame.
-struct Run {
-  Recording recording;
-  std::map<double, Series> profiles;
-  Series mean_height;
-
-  const Series& sensor(const char* column) const { return recording.sensors.at(column); }
-};
-
-Run make_run(Bench& bench, const Resolution& of) {
-  Run run;
-  const auto look = [&](const Frame& frame, const RunInfo& info) {
-    const std::vector<double> x = stations(info.tank[0], 60), z = surface_heights(frame, info, x);
-    run.profiles[frame.time] = {x, z};
-    run.mean_height.t.push_back(frame.time);
-    run.mean_height.y.push_back(std::accumulate(z.begin(), z.end(), 0.0) / z.size());
-  };
-  run.recording = bench.run(
-      "pan2008",
-      {fmt::format("particles.spacing={}", of.spacing), fmt::format("time.end={}", of.end), "output.frame_rate=20"},
-      look);
-  return run;
-}
-
 /// RMS distance of the profiles at 1, 2 and 3 s from theory's, 10 mm off the walls and further [m].
 double profile_error(const Run& run, const References& theory) {
   ProfileDistance sum;
@@ -104,15 +59,14 @@ double mean_height(const Run& run, double from, double to) {
 template <class Measure>
 double worse_wall(const Run& run, const References& theory, double from, double to, Measure measure) {
   const Window window{from, to};
-  return std::max(measure(compare(theory.left, run.sensor("eta_left [m]"), window)),
-                  measure(compare(theory.right, run.sensor("eta_right [m]"), window)));
+  return std::max(measure(compare(theory.left, run.left(), window)),
+                  measure(compare(theory.right, run.right(), window)));
 }
 
 void add_pressure_figures(std::vector<Figure>& figures, const std::string& title, const Resolution& of, const Run& run,
                           const References& theory) {
-  const Parameters& p = run.recording.parameters;
-  const double weight = p.fluid.density * p.gravity * p.fluid.depth;
-  const Series& pressure = run.sensor(corner);
+  const double weight = run.weight();
+  const Series& pressure = run.pressure();
   const auto below_cut = [&](double from, double to) {
     const Window window{from, to, weight};
     return 100 * compare(theory.pressure, low_pass(pressure, from, to, cut), window).unbiased_of_most();
@@ -148,39 +102,22 @@ void add_level_figures(std::vector<Figure>& figures, const std::string& title, c
       {title + "particles lost in 10 s", static_cast<double>(run.recording.statistics.leaked), "", at_most(0)});
 }
 
-Series scaled(Series series, double rest, double factor) {
-  for (double& y : series.y) y = factor * (y - rest);
-  return series;
-}
-
-render::Curve curve(const std::string& name, const Series& s, render::Mark mark = render::Mark::line) {
-  return {name, s.t, s.y, mark};
-}
-
-std::string millimetres(double spacing) { return fmt::format("{:g} mm", 1000 * spacing); }
-
-std::vector<Chart> charts(const std::vector<Run>& runs, const References& theory) {
-  const Parameters& p = runs[0].recording.parameters;
-  const double weight = p.fluid.density * p.gravity * p.fluid.depth;
-  Chart level{"Surge near resonance: left wall", "t [s]", "elevation [mm]", {}};
-  Chart pressure{"Surge near resonance: left bottom corner", "t [s]", "pressure less 1962 Pa [Pa]", {}};
-  Chart profile{"Surge near resonance: surface at 3 s", "x [mm]", "elevation [mm]", {}};
-  const auto over_x = [&](const Series& z) {
-    Series result = scaled(z, p.fluid.depth, 1000);
-    for (double& x : result.t) x *= 1000;
-    return result;
+/// How far another code is from the same theory, to judge the others by.
+void add_peer_figures(std::vector<Figure>& figures, const Bench& bench, const References& theory, double weight) {
+  constexpr const char* peer = "vof_2p5mm_slip_impulsive";
+  const std::string title = "interFoam, 2.5 mm: ";
+  const auto level = [&](double from, double to) {
+    return compare(bench.reference("theory_fnpf_impulsive", "t", "eta_left_x20mm"),
+                   bench.reference(peer, "t", "eta_left_x20mm"), {from, to});
   };
-  for (const Run& run : runs) {
-    const std::string name = millimetres(run.recording.parameters.particles.spacing);
-    level.curves.push_back(curve(name, scaled(run.sensor("eta_left [m]").between(0, 7), 0, 1000)));
-    pressure.curves.push_back(curve(name, scaled(run.sensor(corner).between(0, 7), weight, 1)));
-    profile.curves.push_back(curve(name, over_x(run.profiles.at(3))));
-  }
-  const auto dashes = render::Mark::dashes;
-  level.curves.push_back(curve("potential theory", scaled(theory.left.between(0, 7), 0, 1000), dashes));
-  pressure.curves.push_back(curve("potential theory", scaled(theory.pressure.between(0, 7), weight, 1), dashes));
-  profile.curves.push_back(curve("potential theory", over_x(theory.profiles.at(3)), dashes));
-  return {level, pressure, profile};
+  const Series pressure = low_pass(bench.reference(peer, "t", "p_left_bottom"), 0.5, 4, cut);
+  figures.push_back(
+      {title + "elevation 20 mm off the left wall, relative L2, 0-3 s", level(0, 3).relative_l2(), "", {}});
+  figures.push_back({title + "the same, RMS over max, 0.5-4 s", 100 * level(0.5, 4).of_most(), "%", {}});
+  figures.push_back({title + "corner pressure below 10 Hz less its mean error, RMS over max, 0.5-4 s",
+                     100 * compare(theory.pressure, pressure, {0.5, 4, weight}).unbiased_of_most(),
+                     "%",
+                     {}});
 }
 
 }  // namespace
@@ -192,7 +129,7 @@ Findings pan2008(Bench& bench) {
   std::vector<double> spacings, errors;
   for (const Resolution& of : resolutions) {
     if (bench.quick() && !runs.empty()) break;
-    runs.push_back(make_run(bench, of));
+    runs.push_back(make_run(bench, of.spacing, of.end));
     const std::string title = millimetres(of.spacing) + ": ";
     add_pressure_figures(findings.figures, title, of, runs.back(), theory);
     add_level_figures(findings.figures, title, of, runs.back(), theory);
@@ -202,6 +139,7 @@ Findings pan2008(Bench& bench) {
   }
   if (runs.size() == resolutions.size())
     findings.figures.push_back({"order of the profiles' distance in l0", order(spacings, errors), "", at_least(1)});
+  add_peer_figures(findings.figures, bench, theory, runs[0].weight());
   findings.charts = charts(runs, theory);
   return findings;
 }
