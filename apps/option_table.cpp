@@ -72,6 +72,10 @@ const std::vector<Option>& options() {
       {"motion", "start", "", AT(parameters.motion.start), Choices{"impulsive", "smooth"},
        "at t = 0 the liquid is at rest in the lab, or moves with the tank"},
 
+      {"sensors", "force", "", AT(parameters.sensors.force), {}, "force on the walls, and moment about the pivot"},
+      {"sensors", "energy", "", AT(parameters.sensors.energy), {}, "kinetic and potential energy of the liquid"},
+      {"sensors", "volume", "", AT(parameters.sensors.volume), {}, "volume and centre of mass of the liquid"},
+
       {"particles", "spacing", "m", AT(parameters.particles.spacing), Range{0, 10, true},
        "l0, between particles at rest"},
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -7,18 +6,10 @@
 #include <vector>
 
 #include "apps/scene.hpp"
+#include "apps/values.hpp"
 
 // The one list of scene keys. Parsing, --set, --dry-run, range checks, "did you mean" and run.json all read it.
 namespace seiche::apps {
-
-/// Numbers that a key takes; the lower end may be left out.
-struct Range {
-  double low, high;
-  bool above_low = false;  ///< low itself is refused
-};
-
-/// Words that a key takes.
-using Choices = std::vector<std::string_view>;
 
 /// A value with a written form of its own, as in "1280x720". `set` throws std::invalid_argument.
 struct Written {
@@ -35,12 +26,9 @@ struct Option {
   std::string_view key;
   std::string_view unit;  ///< empty: none
   Access access;
-  std::variant<std::monostate, Range, Choices> rule;
+  Rule rule;
   std::string_view help;  ///< one line
 };
-
-/// A value as a scene file or a command line gives it.
-using Value = std::variant<bool, std::int64_t, double, std::string>;
 
 const std::vector<Option>& options();
 

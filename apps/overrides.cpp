@@ -5,13 +5,15 @@
 #include <charconv>
 
 #include "apps/nearest.hpp"
+#include "apps/toml_lists.hpp"
 
 namespace seiche::apps {
 namespace {
 
-const Option* find_dotted(const std::string& key) {
-  for (const Option& option : options()) {
-    if (dotted(option) == key) return &option;
+template <class Entry>
+const Entry* find_dotted(const std::vector<Entry>& table, const std::string& key) {
+  for (const Entry& entry : table) {
+    if (dotted(entry) == key) return &entry;
   }
   return nullptr;
 }
@@ -21,6 +23,10 @@ std::string hint(const std::string& key) {
   for (const Option& option : options()) {
     if (option.key == key) return fmt::format("did you mean '{}'?", dotted(option));
     all.push_back(dotted(option));
+  }
+  for (const List& list : lists()) {
+    if (list.key == key) return fmt::format("did you mean '{}'?", dotted(list));
+    all.push_back(dotted(list));
   }
   if (const auto guess = nearest(key, all)) return fmt::format("did you mean '{}'?", *guess);
   for (const Option& option : options()) {
@@ -54,8 +60,10 @@ Override parse_set(const std::string& text) {
 Settings override_settings(const std::vector<Override>& overrides) {
   Settings result;
   for (const Override& each : overrides) {
-    if (const Option* option = find_dotted(each.key)) {
+    if (const Option* option = find_dotted(options(), each.key)) {
       result.good.push_back({each.origin, {}, option, read_value(*option, each.value)});
+    } else if (const List* list = find_dotted(lists(), each.key)) {
+      read_list_text(*list, each.value, each.origin, result);
     } else {
       const std::string message =
           fmt::format("{}: '{}' is no key of a scene; {}", each.origin, each.key, hint(each.key));

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "apps/lists.hpp"
 #include "apps/options.hpp"
 #include "apps/run_info.hpp"
 #include "apps/scene_text.hpp"
@@ -13,12 +14,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json tables(const List& list, const Scene& scene) {
+  Json result = Json::array();
+  for (std::size_t row = 0; row < list.size(scene); ++row) {
+    Json& table = result.emplace_back();
+    for (const Member& member : list.members) {
+      std::visit([&](const auto& value) { table[std::string(member.key)] = value; }, value_of(member, scene, row));
+    }
+  }
+  return result;
+}
+
 Json parameters(const Scene& scene) {
   Json result;
   for (const Option& option : options()) {
     Json& at = option.section.empty() ? result : result[std::string(option.section)];
     std::visit([&](const auto& value) { at[std::string(option.key)] = value; }, value_of(option, scene));
   }
+  for (const List& list : lists()) result[std::string(list.section)][std::string(list.key)] = tables(list, scene);
   return result;
 }
 

@@ -17,7 +17,7 @@ struct Output {
 };
 
 /// One scene: what to simulate, what to write, how it looks. Every member but `name`, `file` and `parameters.threads`
-/// is a key of a scene file; options.cpp has the table.
+/// is a key of a scene file, or of a list in it; option_table.cpp and list_table.cpp have them.
 struct Scene {
   std::string name;  ///< the file's, without its ending
   std::string file;  ///< path as the user gave it

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "apps/list_settings.hpp"
 #include "apps/nearest.hpp"
 #include "apps/toml_settings.hpp"
 #include "solver/simulation.hpp"
@@ -37,7 +38,8 @@ std::string read_text(const std::string& file) {
 bool is_preset(const Setting& setting) { return setting.option == find_option("", "preset"); }
 
 // Puts the settings into a new scene, the last preset before all else.
-Scene assemble(const std::vector<Setting>& settings, std::vector<Complaint>& complaints) {
+Scene assemble(const Settings& all, std::vector<Complaint>& complaints) {
+  const std::vector<Setting>& settings = all.good;
   Scene scene;
   const auto put = [&](const Setting& setting) {
     if (const auto complaint = assign(*setting.option, scene, setting.value)) {
@@ -52,6 +54,7 @@ Scene assemble(const std::vector<Setting>& settings, std::vector<Complaint>& com
   for (const Setting& setting : settings) {
     if (!is_preset(setting)) put(setting);
   }
+  for (const ListSetting& setting : all.lists) put_list(setting, scene, complaints);
   return scene;
 }
 
@@ -69,9 +72,10 @@ Scene parse_scene(const std::string& toml, const std::string& file, const std::v
   Settings all = toml_settings(toml, file);
   Settings more = override_settings(overrides);
   all.good.insert(all.good.end(), more.good.begin(), more.good.end());
+  all.lists.insert(all.lists.end(), more.lists.begin(), more.lists.end());
   all.complaints.insert(all.complaints.end(), more.complaints.begin(), more.complaints.end());
 
-  Scene scene = assemble(all.good, all.complaints);
+  Scene scene = assemble(all, all.complaints);
   if (!all.complaints.empty()) refuse(std::move(all.complaints));
   scene.file = file;
   scene.name = fs::path(file).stem();

@@ -4,25 +4,55 @@
 
 #include <cstdint>
 
+#include "apps/lists.hpp"
 #include "apps/options.hpp"
 
 namespace seiche::apps {
 namespace {
 
-// Text needs no escapes: every word of the table and every written form is plain.
+// Text needs no escapes: every word of the tables and every written form is plain.
 std::string toml_value(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return fmt::format("\"{}\"", *text);
   return std::visit([](const auto& plain) { return fmt::format("{}", plain); }, value);
 }
 
+// One key as a line, with what it means where `explained`.
+template <class Key>
+std::string line(const Key& key, const Value& value, bool explained) {
+  const std::string bare = fmt::format("{} = {}", key.key, toml_value(value));
+  if (!explained) return bare + "\n";
+  return fmt::format("{:<32} # {}{}({})\n", bare, key.help, key.help.empty() ? "" : " ", expected(key));
+}
+
+// A list's tables; an empty list is explained by a table that is commented out.
+std::string list_text(const List& list, const Scene& scene, bool explained) {
+  std::string result;
+  for (std::size_t row = 0; row < list.size(scene); ++row) {
+    result += explained ? fmt::format("\n{:<32} # {}\n", title(list), list.help) : fmt::format("\n{}\n", title(list));
+    for (const Member& member : list.members) result += line(member, value_of(member, scene, row), explained);
+  }
+  if (list.size(scene) > 0 || !explained) return result;
+  Scene example;
+  list.reset(example, 1);
+  result += fmt::format("\n# {:<30} # {}\n", title(list), list.help);
+  for (const Member& member : list.members) result += "# " + line(member, value_of(member, example, 0), true);
+  return result;
+}
+
+std::string section_text(const std::string& section, const Scene& scene, bool explained) {
+  std::string result = section.empty() ? "" : fmt::format("\n[{}]\n", section);
+  for (const Option& option : options()) {
+    if (option.section == section) result += line(option, value_of(option, scene), explained);
+  }
+  for (const List& list : lists()) {
+    if (list.section == section) result += list_text(list, scene, explained);
+  }
+  return result;
+}
+
 std::string text(const Scene& scene, bool explained) {
   std::string result;
-  std::string_view section;
-  for (const Option& option : options()) {
-    if (option.section != section) result += fmt::format("\n[{}]\n", section = option.section);
-    const std::string line = fmt::format("{} = {}", option.key, toml_value(value_of(option, scene)));
-    result += explained ? fmt::format("{:<32} # {} ({})\n", line, option.help, expected(option)) : line + "\n";
-  }
+  for (const std::string& section : sections()) result += section_text(section, scene, explained);
   return result;
 }
 

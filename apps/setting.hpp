@@ -2,6 +2,7 @@
 #include <limits>
 #include <string>
 
+#include "apps/lists.hpp"
 #include "apps/options.hpp"
 
 namespace seiche::apps {
@@ -21,6 +22,23 @@ struct Setting {
   Value value;
 };
 
+/// A list with the tables that it is given, not yet put into a scene.
+struct ListSetting {
+  struct Key {
+    std::string origin;
+    Position position;
+    const Member* member;
+    Value value;
+  };
+  struct Table {
+    std::string origin;
+    Position position;
+    std::vector<Key> keys;
+  };
+  const List* list;
+  std::vector<Table> tables;
+};
+
 /// Something wrong, fit for the user.
 struct Complaint {
   std::string message;
@@ -30,6 +48,7 @@ struct Complaint {
 /// What a source of settings holds, and what is wrong with it.
 struct Settings {
   std::vector<Setting> good;
+  std::vector<ListSetting> lists;
   std::vector<Complaint> complaints;
 };
 

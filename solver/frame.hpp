@@ -13,10 +13,14 @@ enum class Kind : std::uint8_t { fluid = 0, wall = 1, dummy = 2 };
 using Float3 = std::array<float, 3>;
 using Double3 = std::array<double, 3>;
 
-/// Where the tank's frame stands in the lab: lab position = displacement + position in the tank's frame.
+/// Where the tank's frame stands in the lab: lab position = pivot + displacement + R (r - pivot), r in the tank's frame
+/// and R the rotation by `roll` from x towards y.
 struct TankPose {
-  Double3 displacement{};  ///< [m]
-  Double3 velocity{};      ///< [m/s]
+  Double3 displacement{};  ///< of the pivot [m]
+  Double3 velocity{};      ///< of the pivot [m/s]
+  double roll = 0;         ///< [rad]
+  double roll_rate = 0;    ///< [rad/s]
+  Double3 pivot{};         ///< in the tank's frame [m]
 };
 
 /// Sensor readings taken since the frame before, at the sensors' own sample times.
@@ -61,7 +65,7 @@ struct RunInfo {
   double density = 0;         ///< [kg/m^3]
   double gravity = 0;         ///< [m/s^2]
   double spacing = 0;         ///< l0 [m]
-  Double3 sway{};             ///< greatest displacement of the tank on each axis [m], so that a picture can leave room
+  Double3 sway{};             ///< greatest displacement of any point of the tank on each axis [m]: a picture's margin
   double frame_interval = 0;  ///< [s]
   double end = 0;             ///< [s]
   std::vector<std::string> sensors;  ///< column names with units, as in "p_left_bottom [Pa]"

@@ -18,7 +18,7 @@ Mps<D, K>::Mps(const Parameters& p, K kernel, double sample_interval)
       list_(Vec<D>::Constant(-wall_layers(p.method) * l0_), box_.size.array() + wall_layers(p.method) * l0_,
             std::max({density_range_.w.support, gradient_range_.w.support, laplacian_range_.w.support}), 0.3 * l0_),
       solver_(make_pressure_solver(p.pressure.solver, p.pressure.tolerance, p.pressure.max_iterations)),
-      sensors_(p, sample_interval),
+      sensors_(p, sample_interval, s_),
       watch_(p, motion_),
       flat_density_(flat_surface_density<D>(density_range_.w, l0_)) {
   for (Kind k : s_.kind)
@@ -52,12 +52,16 @@ void Mps<D, K>::step(double until) {
   const double rule = step_rule(p_, fastest_);
   watch_.check_step(s_, rule);
   const double dt = split_evenly(until - s_.time, rule);
-  const bool last = s_.time + 1.5 * dt > until;
+  const double end = s_.time + 1.5 * dt > until ? until : s_.time + dt;
+  {
+    const Stage stage(totals_.seconds["sensors"]);
+    sensors_.before_step(s_, end);
+  }
   if (p_.method.order == "move-first")
     step_move_first(dt);
   else
     step_project_first(dt);
-  s_.time = last ? until : s_.time + dt;
+  s_.time = end;
   ++s_.step;
   totals_.steps = s_.step;
   totals_.shortest_step = s_.step == 1 ? dt : std::min(totals_.shortest_step, dt);

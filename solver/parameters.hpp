@@ -46,10 +46,10 @@ struct Parameters {
     double amplitude = 0;       ///< of the one harmonic [m], roll: [degrees]
     double frequency = 0;       ///< of the one harmonic [Hz]
     double phase = 0;           ///< of the one harmonic [degrees]
-    std::vector<Harmonic> harmonics;
-    double ramp = 0;   ///< the motion grows from nothing over this time [s]
-    std::string file;  ///< CSV of the series; the program reads it into `series`
-    TimeSeries series;
+    std::vector<Harmonic> harmonics{};
+    double ramp = 0;     ///< the motion grows from nothing over this time [s]
+    std::string file{};  ///< CSV of the series; the program reads it into `series`
+    TimeSeries series{};
     double pivot_x = 0, pivot_y = 0;  ///< point that roll turns about, in the tank's frame [m]
     std::string start =
         "impulsive";  ///< impulsive: water at rest in the lab | smooth: water moves with the tank at t = 0

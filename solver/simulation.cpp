@@ -7,6 +7,7 @@
 
 #include "solver/motion.hpp"
 #include "solver/mps.hpp"
+#include "solver/sensor_list.hpp"
 
 namespace seiche {
 
@@ -101,14 +102,11 @@ void check_parameters(const Parameters& p) {
   if (particles > 1e8)
     throw BadParameters(
         fmt::format("particles.spacing = {:.6g} m asks for some {:.2g} particles; the limit is 1e8", l0, particles));
+  solver::check_sensors(p);
 }
 
 Double3 motion_extent(const Parameters& p) {
   return {p.motion.type == "surge" ? std::abs(p.motion.amplitude) : 0, 0, 0};
-}
-
-std::vector<std::string> sensor_columns(const Parameters&) {
-  return {"p_left_bottom [Pa]", "eta_left [m]", "eta_right [m]"};
 }
 
 std::unique_ptr<Simulation> make_simulation(const Parameters& p, double sample_interval) {

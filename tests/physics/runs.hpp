@@ -12,7 +12,7 @@ namespace seiche::physics {
 inline Parameters pan2008(const std::string& preset, double spacing) {
   Parameters p;
   apply_preset(p, preset);
-  p.motion = {"surge", 0.005, 1.0, "impulsive"};
+  p.motion = {.type = "surge", .amplitude = 0.005, .frequency = 1.0};
   p.particles.spacing = spacing;
   return p;
 }

@@ -15,7 +15,7 @@ long fluid(const Frame& frame) { return std::count(frame.kind.begin(), frame.kin
 TEST(OpenTank, TakesOutAndCountsWhatLeavesOverTheRim) {
   Parameters p = still_tank(0.3, 0.2, 0.22, 0.02);
   p.tank.closed = false;
-  p.motion = {"surge", 0.3, 1.0, "impulsive"};
+  p.motion = {.type = "surge", .amplitude = 0.3, .frequency = 1.0};
   const auto simulation = make_simulation(p, 0);
   const long before = fluid(*simulation->frame(0));
   while (simulation->time() < 0.6) simulation->step(0.6);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "apps/lists.hpp"
 #include "apps/options.hpp"
 #include "apps/scene_file.hpp"
 #include "tests/unit/apps/files.hpp"
@@ -17,6 +18,17 @@ TEST(Readme, NamesEveryKey) {
   const std::string readme = test::read_file(source / "README.md");
   for (const Option& option : options())
     EXPECT_NE(readme.find(fmt::format("`{}`", option.key)), std::string::npos) << dotted(option);
+}
+
+TEST(Readme, NamesEveryKeyOfEveryList) {
+  const std::string readme = test::read_file(source / "README.md");
+  for (const List& list : lists()) {
+    const std::size_t row = readme.find(fmt::format("| `{}` |", title(list)));
+    ASSERT_NE(row, std::string::npos) << title(list);
+    const std::string line = readme.substr(row, readme.find('\n', row) - row);
+    for (const Member& member : list.members)
+      EXPECT_NE(line.find(fmt::format("`{}`", member.key)), std::string::npos) << title(list, member);
+  }
 }
 
 TEST(Scenes, AreAllGoodAndNamedInTheReadme) {

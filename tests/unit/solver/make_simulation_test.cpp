@@ -28,7 +28,7 @@ TEST(Simulation, EndsWhereTheSolverDoesNotConverge) {
 TEST(Simulation, OfAnOpenTankTakesOutAndCountsWhatSpills) {
   Parameters p = surging(2);
   p.tank = {0.1, 0.05, 0, false};
-  p.motion = {"surge", 0.05, 3, "impulsive"};
+  p.motion = {.type = "surge", .amplitude = 0.05, .frequency = 3};
   const auto simulation = make_simulation(p, 0);
   const FramePtr before = simulation->frame(0);
   const Statistics& totals = simulation->statistics();

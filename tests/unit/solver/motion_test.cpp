@@ -6,7 +6,7 @@ namespace seiche::solver {
 namespace {
 
 constexpr double amplitude = 0.005, frequency = 1.25, omega = 2 * std::numbers::pi * frequency;
-const Motion surge({"surge", amplitude, frequency, "impulsive"});
+const Motion surge({.type = "surge", .amplitude = amplitude, .frequency = frequency});
 
 TEST(Surge, StartsFromTheMiddleAtFullSpeed) {
   EXPECT_EQ(surge.displacement(0), 0);
@@ -43,10 +43,12 @@ TEST(Surge, PoseIsAlongTheTank) {
   EXPECT_EQ(pose.velocity, (Double3{surge.velocity(0.1), 0, 0}));
 }
 
-TEST(Surge, FastestIsNeverNegative) { EXPECT_GT(Motion({"surge", -0.1, 1, "smooth"}).fastest(), 0); }
+TEST(Surge, FastestIsNeverNegative) {
+  EXPECT_GT(Motion({.type = "surge", .amplitude = -0.1, .frequency = 1, .start = "smooth"}).fastest(), 0);
+}
 
 TEST(Rest, IsWhateverElseIsGiven) {
-  const Motion rest({"none", amplitude, frequency, "impulsive"});
+  const Motion rest({.type = "none", .amplitude = amplitude, .frequency = frequency});
   EXPECT_EQ(rest.displacement(0.1), 0);
   EXPECT_EQ(rest.velocity(0.1), 0);
   EXPECT_EQ(rest.fastest(), 0);

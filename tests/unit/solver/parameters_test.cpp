@@ -113,7 +113,7 @@ TEST(Preset, LeavesTheCaseAlone) {
   Parameters p;
   p.fluid.depth = 0.3;
   p.tank.length = 0.9;
-  p.motion = {"surge", 0.01, 2, "smooth"};
+  p.motion = {.type = "surge", .amplitude = 0.01, .frequency = 2, .start = "smooth"};
   p.time.end = 3;
   apply_preset(p, "paper");
   EXPECT_EQ(p.fluid.depth, 0.3);

@@ -1,70 +1,72 @@
+#include "solver/pressure_sensor.hpp"
+
 #include <gtest/gtest.h>
 
-#include "solver/sensors.hpp"
-#include "tests/unit/solver/still_tank.hpp"
+#include "tests/unit/solver/sensed_tank.hpp"
 
 namespace seiche::solver {
 namespace {
 
 using test::l0;
+using test::SensedTank;
 
 template <class T>
-struct PressureSensor : ::testing::Test {
+struct PressureSensorOf : ::testing::Test {
   static constexpr int D = T::D;
-  Parameters p = test::small_tank<D>();
-  State<D> s = fill_tank<D>(p);
-  double at_floor = 1000 * 9.81 * 0.1;
+  SensedTank<D> tank;
 
-  Vec<D> at(double x, double y) const {
-    Vec<D> r = Vec<D>::Constant(0.06);
-    r[0] = x;
-    r[1] = y;
-    return r;
+  double read(double x, double y, double side) const {
+    return PressureSensor<D>({"s", x, y, D == 3 ? 0.06 : 0, side}, tank.p).read(tank.s, tank.cells());
   }
+  /// 2000 + 10 x - 30 y (+ 20 z), lengths in l0.
+  void set_linear() {
+    tank.each_fluid(
+        [](const Vec<D>& r, double& p) { p = 2000 + (10 * r[0] - 30 * r[1] + (D == 3 ? 20 * r[D - 1] : 0)) / l0; });
+  }
+  static double linear(double x, double y) { return 2000 + (10 * x - 30 * y) / l0 + (D == 3 ? 120 : 0); }
 };
-TYPED_TEST_SUITE(PressureSensor, test::Dimensions);
+TYPED_TEST_SUITE(PressureSensorOf, test::Dimensions);
 
-TYPED_TEST(PressureSensor, IsExactOnStillWaterInACornerAndOnEveryWall) {
-  constexpr int D = TypeParam::D;
-  EXPECT_NEAR(pressure_at<D>(Vec<D>::Zero(), l0, this->s), this->at_floor, 1e-8);
-  for (double x : {0., 0.003, 0.1, 0.2})
-    for (double y : {0., 0.004, 0.05, 0.09})
-      EXPECT_NEAR(pressure_at<D>(this->at(x, y), l0, this->s), this->at_floor * (1 - y / 0.1), 1e-8) << x << ' ' << y;
+TYPED_TEST(PressureSensorOf, ReadsItsPoint) {
+  this->set_linear();
+  EXPECT_NEAR(this->read(0, 0, 0), this->linear(0, 0), 1e-8);
+  EXPECT_NEAR(this->read(0, 0.043, 0), this->linear(0, 0.043), 1e-8);
+  EXPECT_NEAR(this->read(0.137, 0, 0), this->linear(0.137, 0), 1e-8);
 }
 
-TYPED_TEST(PressureSensor, IsExactOnAnyLinearFieldOfADisorderedCloud) {
-  constexpr int D = TypeParam::D;
-  auto s = test::disordered<D>(test::block<D>(7), 0.2 * l0);
-  for (std::size_t i = 0; i < s.size(); ++i) s.pressure[i] = 100 + test::slanted<D>().dot(s.position[i]) / l0;
-  for (double x : {-3., -1.3, 0., 3.}) {
-    const Vec<D> point = x * l0 * Vec<D>::Ones();
-    EXPECT_NEAR(pressure_at<D>(point, l0, s), 100 + x * test::slanted<D>().sum(), 1e-10);
+TYPED_TEST(PressureSensorOf, MeanOverAnAreaOfALinearFieldIsThatOfItsCentre) {
+  this->set_linear();
+  for (double side : {0.001, 0.013, 0.03, 0.06}) {
+    EXPECT_NEAR(this->read(0.2, 0.043, side), this->linear(0.2, 0.043), 1e-8) << side;
+    EXPECT_NEAR(this->read(0.1, 0, side), this->linear(0.1, 0), 1e-8) << side;
   }
 }
 
-TYPED_TEST(PressureSensor, ReadsTheFluidOnly) {
-  constexpr int D = TypeParam::D;
-  for (std::size_t i = 0; i < this->s.size(); ++i)
-    if (this->s.kind[i] != Kind::fluid) this->s.pressure[i] = 1e9;
-  EXPECT_NEAR(pressure_at<D>(Vec<D>::Zero(), l0, this->s), this->at_floor, 1e-8);
+TYPED_TEST(PressureSensorOf, AreaEndsWithTheWall) {
+  this->set_linear();
+  // 0.04 about y = 0.01 is cut to 0 .. 0.03; on the floor 0.04 about x = 0.19 to 0.17 .. 0.2.
+  EXPECT_NEAR(this->read(0, 0.01, 0.04), this->linear(0, 0.015), 1e-8);
+  EXPECT_NEAR(this->read(0.19, 0, 0.04), this->linear(0.185, 0), 1e-8);
 }
 
-TYPED_TEST(PressureSensor, IsTheMeanOfWhatLiesInALine) {
-  constexpr int D = TypeParam::D;
-  State<D> s;
-  for (double x : {-1., 1.}) {
-    s.add(x * l0 * Vec<D>::Unit(0), Kind::fluid, Vec<D>::Zero());
-    s.pressure.back() = 50 + 10 * x;
-  }
-  EXPECT_DOUBLE_EQ(pressure_at<D>(Vec<D>::Zero(), l0, s), 50);
-  s.position[1] *= 2;
-  const KF3 w{3};
-  EXPECT_NEAR(pressure_at<D>(Vec<D>::Zero(), l0, s), (40 * w(1) + 60 * w(2)) / (w(1) + w(2)), 1e-10);
+TYPED_TEST(PressureSensorOf, AreaInACornerLiesInTheSideWall) {
+  this->set_linear();
+  EXPECT_NEAR(this->read(0, 0, 0.04), this->linear(0, 0.01), 1e-8);
 }
 
-TYPED_TEST(PressureSensor, ReadsNothingInTheAir) {
+TYPED_TEST(PressureSensorOf, MeansThePressureAndNotThePoint) {
+  // p = 9 (y/l0)^2 Pa with a fit that is exact in the mean: over y from 4 to 6 l0 the mean is 9 (25 + 1/3), less the
+  // l0/2 midpoints' 9/48; the fit itself adds its smoothing of a parabola, as at the point.
   constexpr int D = TypeParam::D;
-  EXPECT_EQ(pressure_at<D>(this->at(0, 0.14), l0, this->s), 0);
+  this->tank.each_fluid([](const Vec<D>& r, double& p) { p = 9 * r[1] * r[1] / (l0 * l0); });
+  EXPECT_NEAR(this->read(0, 5 * l0, 2 * l0) - this->read(0, 5 * l0, 0), 3 - 9. / 48, 0.15);
+}
+
+TYPED_TEST(PressureSensorOf, DryWallReadsZero) {
+  EXPECT_EQ(this->read(0, 0.105, 0), 0) << "where the linear fit goes on below 0";
+  EXPECT_EQ(this->read(0, 0.14, 0), 0);
+  // Of the area from 0.09 to 0.11 the lower half is wet, at 49 Pa in the mean.
+  EXPECT_NEAR(this->read(0, 0.1, 0.02), 0.5 * this->tank.weight * 0.005, 1e-8);
 }
 
 }  // namespace

@@ -1,84 +1,121 @@
+#include "solver/wave_gauge.hpp"
+
 #include <gtest/gtest.h>
 
-#include "solver/sensors.hpp"
-#include "tests/unit/solver/still_tank.hpp"
+#include <cmath>
+#include <numbers>
+
+#include "tests/unit/solver/sensed_tank.hpp"
 
 namespace seiche::solver {
 namespace {
 
 using test::l0;
+using test::SensedTank;
+
+const std::vector<double> places{0, 0.001, 0.005, 0.0123, 0.05, 0.1, 0.1025, 0.109, 0.1777, 0.1999, 0.2};
 
 template <class T>
 struct WaveGaugeOf : ::testing::Test {
   static constexpr int D = T::D;
-  Parameters p = test::small_tank<D>();
-  State<D> s = fill_tank<D>(p);
+  SensedTank<D> tank;
 
-  /// A gauge at x, midway across.
+  /// Of a gauge at x, midway across.
   double level(double x) const {
-    Vec<D> foot = Vec<D>::Constant(0.06);
-    foot[0] = x;
-    foot[1] = 0;
-    return WaveGauge<D>(foot, p.tank.height, l0).level(s);
-  }
-  void add_drop(double x, double y) {
-    Vec<D> r = Vec<D>::Constant(0.065);
-    r[0] = x;
-    r[1] = y;
-    s.add(r, Kind::fluid, Vec<D>::Zero());
+    SurfaceProfile<D> surface(tank.p);
+    surface.find(tank.s, tank.cells());
+    return WaveGauge(x / l0, 0.06 / l0, surface.count(0), surface.count(1)).level(surface);
   }
 };
 TYPED_TEST_SUITE(WaveGaugeOf, test::Dimensions);
 
-TYPED_TEST(WaveGaugeOf, ReadsTheDepthOfALatticeAtRest) {
-  for (double x : {0., 0.2, 0.1, 0.101, 0.1025, 0.105, 0.1075, 0.109})
-    EXPECT_NEAR(this->level(x), 0.1, 0.05 * l0) << "x = " << x;
+TYPED_TEST(WaveGaugeOf, ReadsTheDepthOfALatticeAtRestAnywhere) {
+  for (double x : places) EXPECT_NEAR(this->level(x), 0.1, 1e-13) << "x = " << x;
 }
 
 TYPED_TEST(WaveGaugeOf, FollowsARiseFinerThanTheSpacing) {
-  for (double x : {0., 0.1, 0.105, 0.2}) {
-    const double still = this->level(x);
-    for (int tenths = 1; tenths <= 10; ++tenths) {
-      State<TypeParam::D> before = this->s;
-      for (std::size_t i = 0; i < this->s.size(); ++i)
-        if (this->s.kind[i] == Kind::fluid) this->s.position[i][1] += 0.1 * tenths * l0;
-      EXPECT_NEAR(this->level(x), still + 0.1 * tenths * l0, 0.05 * l0) << "x = " << x << ", " << tenths;
-      this->s = before;
-    }
+  constexpr int D = TypeParam::D;
+  for (int tenths = 1; tenths <= 10; ++tenths) {
+    this->tank.each_fluid([](Vec<D>& r, double&) { r[1] += 0.1 * l0; });
+    for (double x : places)
+      EXPECT_NEAR(this->level(x), 0.1 + 0.1 * tenths * l0, 0.05 * l0) << "x = " << x << ", " << tenths;
   }
 }
 
-TYPED_TEST(WaveGaugeOf, DoesNotCountALoneDropAbove) {
-  const double still = this->level(0.105);
-  this->add_drop(0.105, 0.135);
-  EXPECT_NEAR(this->level(0.105), still, 1e-12);
+TYPED_TEST(WaveGaugeOf, ReadsASlopeAtItsOwnPlace) {
+  constexpr int D = TypeParam::D;
+  this->tank.each_fluid([](Vec<D>& r, double&) { r[1] += 0.2 * (r[0] - 0.1); });
+  for (double x : {0.07, 0.1, 0.1025, 0.13})
+    EXPECT_NEAR(this->level(x), 0.1 + 0.2 * (x - 0.1), 0.05 * l0) << "x = " << x;
+  // At the walls the mirror bends the surface within reach, by 0.66 l0 of its slope.
+  for (double x : {0., 0.2}) EXPECT_NEAR(this->level(x), 0.1 + 0.2 * (x - 0.1), 0.2 * 0.7 * l0) << "x = " << x;
 }
 
-TYPED_TEST(WaveGaugeOf, DoesNotCountALoneDropAtAWall) {
-  for (double x : {0., 0.2}) {
-    const double still = this->level(x);
-    this->add_drop(x == 0 ? 0.005 : 0.195, 0.135);
-    EXPECT_NEAR(this->level(x), still, 1e-12) << "x = " << x;
+// Standing waves of length 20 l0: crest or trough at the walls and half-way.
+TYPED_TEST(WaveGaugeOf, KeepsAWaveOfTwentySpacings) {
+  constexpr int D = TypeParam::D;
+  const double a = l0;
+  this->tank.each_fluid([&](Vec<D>& r, double&) { r[1] *= 1 + a / 0.1 * std::cos(2 * std::numbers::pi * r[0] / 0.2); });
+  for (double x : {0., 0.05, 0.1, 0.15, 0.2})
+    EXPECT_NEAR(this->level(x), 0.1 + a * std::cos(2 * std::numbers::pi * x / 0.2), 0.05 * l0) << "x = " << x;
+}
+
+TYPED_TEST(WaveGaugeOf, ScattersLessThanItsColumns) {
+  constexpr int D = TypeParam::D;
+  std::mt19937_64 random(3);
+  double gauges = 0, columns = 0;
+  for (int k = 0; k < 10; ++k) {
+    this->tank = {};
+    this->tank.each_fluid([&](Vec<D>& r, double&) { r += 0.25 * l0 * test::random_vec<D>(random, -1, 1); });
+    SurfaceProfile<D> surface(this->tank.p);
+    surface.find(this->tank.s, this->tank.cells());
+    for (double x : {0., 0.1, 0.2}) gauges += std::pow(this->level(x) - 0.1, 2) / 30;
+    for (int c = 0; c < 20; ++c) columns += std::pow(surface.height(c) - 0.1, 2) / 200;
+  }
+  EXPECT_LT(gauges, 0.5 * columns) << std::sqrt(gauges) / l0 << " of " << std::sqrt(columns) / l0;
+}
+
+TYPED_TEST(WaveGaugeOf, NeverLeavesWhatItsColumnsShow) {
+  constexpr int D = TypeParam::D;
+  // Water in the left half alone: beyond the step nothing rings.
+  this->tank.each_fluid([](Vec<D>& r, double&) { r[0] = std::min(r[0], 0.105); });
+  for (double x : places) {
+    EXPECT_GE(this->level(x), 0) << "x = " << x;
+    if (x >= 0.19) EXPECT_EQ(this->level(x), 0) << "x = " << x;
   }
 }
 
-TYPED_TEST(WaveGaugeOf, CountsTheHighestOfTwoSurfaces) {
-  // A slab of water three layers thick held above an air gap.
-  for (std::size_t i = 0; i < this->s.size(); ++i)
-    if (this->s.kind[i] == Kind::fluid && this->s.position[i][1] > 0.07) this->s.position[i][1] += 0.04;
-  EXPECT_NEAR(this->level(0.1), 0.14, 0.05 * l0);
+TEST(GaugeWeights, HaveTheMomentsOfASmoothFit) {
+  for (double x : {20., 20.25, 20.5, 20.9}) {
+    const Scalars weights = gauge_weights(x, 40);
+    double moment[4] = {};
+    for (int i = 0; i < 40; ++i)
+      for (int k = 0; k < 4; ++k) moment[k] += weights[i] * std::pow(i + 0.5 - x, k);
+    EXPECT_NEAR(moment[0], 1, 1e-12);
+    EXPECT_NEAR(moment[1], 0, 1e-3);
+    EXPECT_NEAR(moment[2], -1. / 3, 5e-3);
+    EXPECT_NEAR(moment[3], 0, 2e-2);
+  }
 }
 
-TYPED_TEST(WaveGaugeOf, ReadsZeroOnADryFloor) {
-  for (std::size_t i = 0; i < this->s.size(); ++i)
-    if (this->s.kind[i] == Kind::fluid) this->s.position[i][0] = 0.05;
-  EXPECT_EQ(this->level(0.1), 0);
+TEST(GaugeWeights, DampAWaveOfTwentySpacingsByLessThanTwoPerCent) {
+  for (double x : {20., 20.3, 0., 0.7}) {
+    const Scalars weights = gauge_weights(x, 40);
+    const double k = 2 * std::numbers::pi / 20;
+    double sum = 0;
+    for (int i = 0; i < 40; ++i) sum += weights[i] * std::cos(k * (i + 0.5));
+    // The fluid fraction itself smooths by the transform of KF4.
+    const double sinc = std::sin(0.5 * k) / (0.5 * k);
+    EXPECT_NEAR(sum * std::pow(sinc, 4), std::cos(k * x), 0.015) << x;
+  }
 }
 
-TYPED_TEST(WaveGaugeOf, ReadsTheRoofOfAFullTank) {
-  this->p.fluid.depth = this->p.tank.height;
-  this->s = fill_tank<TypeParam::D>(this->p);
-  for (double x : {0., 0.1, 0.2}) EXPECT_NEAR(this->level(x), 0.15, 1e-12);
+TEST(GaugeWeights, AddUpToOneInARowShorterThanTheirReach) {
+  for (double x : {0., 1.7, 4.}) {
+    double sum = 0;
+    for (double weight : gauge_weights(x, 4)) sum += weight;
+    EXPECT_NEAR(sum, 1, 1e-12);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+// What a key of a scene may hold, whether it stands in a section or in the tables of a list.
+namespace seiche::apps {
+
+/// A value as a scene file or a command line gives it.
+using Value = std::variant<bool, std::int64_t, double, std::string>;
+
+/// Numbers that a key takes; the lower end may be left out.
+struct Range {
+  double low, high;
+  bool above_low = false;  ///< low itself is refused
+};
+
+/// Words that a key takes.
+using Choices = std::vector<std::string_view>;
+
+/// A word of a-z, 0-9 and _, as in the name of a column. In a list each table has another.
+struct Name {};
+
+using Rule = std::variant<std::monostate, Range, Choices, Name>;
+
+/// The member of a scene behind a key.
+using Target = std::variant<double*, int*, bool*, std::string*>;
+
+/// All that putting a value into a member needs: how messages name the key and what it takes.
+struct Slot {
+  Target target;
+  const Rule& rule;
+  std::string title;     ///< as in "[motion] amplitude"
+  std::string expected;  ///< as in "a number from 0 to 10 [m]"
+};
+
+/// What a rule lets through, as in "a number from 0 to 10 [m]" or "one of KF1, KF2".
+/// @param whole whether only whole numbers do
+std::string expected(const Rule& rule, std::string_view unit, bool whole);
+
+/// What every refusal says: the key, the value, why not, and what would do.
+std::string refusal(const std::string& title, const std::string& expected, const Value& value, const std::string& why);
+
+/// Puts the value into the slot; a wrong one leaves it as it was and the complaint is returned.
+std::optional<std::string> put(const Value& value, const Slot& slot);
+
+/// The value in a member.
+Value value_in(const Target& target);
+
+}  // namespace seiche::apps

@@ -1,0 +1,39 @@
+#pragma once
+#include "solver/fluid_cells.hpp"
+#include "solver/tank.hpp"
+#include "tests/unit/solver/still_tank.hpp"
+
+namespace seiche::solver::test {
+
+/// The small tank at rest, with the cells that its sensors read.
+template <int D>
+struct SensedTank {
+  Parameters p;
+  State<D> s = fill_tank<D>(p);
+  double weight = p.fluid.density * p.gravity;  ///< rho g [Pa/m]
+
+  explicit SensedTank(const Parameters& parameters = small_tank<D>()) : p(parameters) {}
+
+  FluidCells<D> cells() const {
+    FluidCells<D> cells(p);
+    cells.sort(s);
+    return cells;
+  }
+
+  /// A point in 2-D; in 3-D midway across.
+  static Vec<D> at(double x, double y) {
+    Vec<D> r = Vec<D>::Constant(0.06);
+    r[0] = x;
+    r[1] = y;
+    return r;
+  }
+
+  /// Calls f(r, p) for every fluid particle, to move it and give it a pressure.
+  template <class F>
+  void each_fluid(F f) {
+    for (std::size_t i = 0; i < s.size(); ++i)
+      if (s.kind[i] == Kind::fluid) f(s.position[i], s.pressure[i]);
+  }
+};
+
+}  // namespace seiche::solver::test
