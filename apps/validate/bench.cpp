@@ -37,6 +37,15 @@ class Recorder : public Sink {
   RunInfo run_;
 };
 
+std::string station_name(std::size_t k) { return fmt::format("station_{}", k); }
+
+// Gauges that a scene names none of stand at the walls; those stay.
+void add_gauges(Parameters& p, const std::vector<double>& stations) {
+  auto& gauges = p.sensors.gauge;
+  if (gauges.empty()) gauges = {{"left", 0, 0}, {"right", p.tank.length, 0}};
+  for (std::size_t k = 0; k < stations.size(); ++k) gauges.push_back({station_name(k), stations[k], 0});
+}
+
 // Lines at every 5 % would drown the figures.
 apps::Progress::Style style() {
   return isatty(STDOUT_FILENO) ? apps::Progress::Style::bar : apps::Progress::Style::none;
@@ -44,19 +53,24 @@ apps::Progress::Style style() {
 
 }  // namespace
 
+std::string station_column(std::size_t k) { return "eta_" + station_name(k) + " [m]"; }
+
 apps::Scene Bench::scene(const std::string& name, const std::vector<std::string>& settings) const {
   std::vector<apps::Override> overrides;
   for (const std::string& setting : settings) overrides.push_back(apps::parse_set(setting));
   return apps::read_scene((scenes_ / (name + ".toml")).string(), overrides);
 }
 
-Recording Bench::attempt(const std::string& name, const std::vector<std::string>& settings, const Look& look) {
+Recording Bench::attempt(const std::string& name, const std::vector<std::string>& settings, const Look& look,
+                         const std::vector<double>& stations) {
   apps::Scene scene = this->scene(name, settings);
   scene.parameters.threads = threads_;
+  add_gauges(scene.parameters, stations);
   const auto simulation = make_simulation(scene.parameters, 1 / scene.output.probe_rate);
 
   Recording recording;
   recording.parameters = scene.parameters;
+  recording.stations = stations;
   apps::Outputs outputs;
   outputs.add("recorder", std::make_unique<Recorder>(recording, look));
   apps::Progress progress(style());
@@ -72,8 +86,9 @@ Recording Bench::attempt(const std::string& name, const std::vector<std::string>
   return recording;
 }
 
-Recording Bench::run(const std::string& name, const std::vector<std::string>& settings, const Look& look) {
-  Recording recording = attempt(name, settings, look);
+Recording Bench::run(const std::string& name, const std::vector<std::string>& settings, const Look& look,
+                     const std::vector<double>& stations) {
+  Recording recording = attempt(name, settings, look, stations);
   if (!recording.failure.empty()) throw RunFailure(recording.failure);
   return recording;
 }

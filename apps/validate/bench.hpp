@@ -21,10 +21,14 @@ struct Interrupted : std::runtime_error {
 struct Recording {
   Parameters parameters;
   std::map<std::string, Series> sensors;  ///< by column, as in "eta_left [m]"; 1000 samples a second
+  std::vector<double> stations;           ///< x of the wave gauges that the bench was asked for [m]
   Statistics statistics;
   double end = 0;       ///< simulated [s]
   std::string failure;  ///< why the run ended before its time; empty if it did not
 };
+
+/// Column of the wave gauge at the recording's station number `k`.
+std::string station_column(std::size_t k);
 
 /// Sees each frame of a run.
 using Look = std::function<void(const Frame&, const RunInfo&)>;
@@ -42,11 +46,14 @@ class Bench {
   /// The scene NAME.toml with settings such as "particles.spacing=0.01". Throws apps::BadScene.
   apps::Scene scene(const std::string& name, const std::vector<std::string>& settings) const;
 
-  /// Runs it to its end. Throws RunFailure where that isn't reached, Interrupted, BadScene.
-  Recording run(const std::string& name, const std::vector<std::string>& settings, const Look& look = {});
+  /// Runs it to its end, with wave gauges at the stations beside its own sensors. Throws RunFailure where the end isn't
+  /// reached, Interrupted, BadScene.
+  Recording run(const std::string& name, const std::vector<std::string>& settings, const Look& look = {},
+                const std::vector<double>& stations = {});
 
   /// The same for a run that may fail: the recording says why.
-  Recording attempt(const std::string& name, const std::vector<std::string>& settings, const Look& look = {});
+  Recording attempt(const std::string& name, const std::vector<std::string>& settings, const Look& look = {},
+                    const std::vector<double>& stations = {});
 
   /// reference/FILE.csv. Throws std::runtime_error.
   Series reference(const std::string& file, const std::string& over, const std::string& column) const;

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <numeric>
 
 #include "apps/validate/filter.hpp"
 #include "apps/validate/fit.hpp"
@@ -43,16 +42,11 @@ const std::vector<Resolution> resolutions{
 double profile_error(const Run& run, const References& theory) {
   ProfileDistance sum;
   for (const double t : {1.0, 2.0, 3.0}) {
-    const ProfileDistance d = profile_distance(theory.profiles.at(t), run.profiles.at(t), 0.01, 0.59);
+    const ProfileDistance d = profile_distance(theory.profiles.at(t), profile(run.recording, t), 0.01, 0.59);
     sum.squares += d.squares;
     sum.count += d.count;
   }
   return std::sqrt(sum.squares / sum.count);
-}
-
-double mean_height(const Run& run, double from, double to) {
-  const Series part = run.mean_height.between(from, to);
-  return std::accumulate(part.y.begin(), part.y.end(), 0.0) / part.size();
 }
 
 /// The worse of the two walls.
@@ -97,7 +91,8 @@ void add_level_figures(std::vector<Figure>& figures, const std::string& title, c
   if (of.end < 10) return;
   const double depth = run.recording.parameters.fluid.depth;
   figures.push_back({title + "mean surface height, 6-7 s less 0-1 s, of the depth",
-                     100 * (mean_height(run, 6, 7) - mean_height(run, 0, 1)) / depth, "%", within(0.3)});
+                     100 * (mean_height(run.recording, 6, 7) - mean_height(run.recording, 0, 1)) / depth, "%",
+                     within(0.3)});
   figures.push_back(
       {title + "particles lost in 10 s", static_cast<double>(run.recording.statistics.leaked), "", at_most(0)});
 }

@@ -1,4 +1,5 @@
 #include "apps/validate/pan2008_runs.hpp"
+#include "apps/validate/surface.hpp"
 
 namespace seiche::validate::pan {
 namespace {
@@ -28,7 +29,7 @@ std::vector<Chart> charts(const std::vector<Run>& runs, const References& theory
     const std::string name = millimetres(run.spacing());
     level.curves.push_back(curve(name, scaled(run.left().between(0, 7), 0, 1000)));
     pressure.curves.push_back(curve(name, scaled(run.pressure().between(0, 7), weight, 1)));
-    profile.curves.push_back(curve(name, over_x(run.profiles.at(3))));
+    profile.curves.push_back(curve(name, over_x(validate::profile(run.recording, 3))));
   }
   const auto dashes = render::Mark::dashes;
   level.curves.push_back(curve("potential theory", scaled(theory.left.between(0, 7), 0, 1000), dashes));

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
-
 #include "apps/validate/surface.hpp"
 
 namespace seiche::validate::pan {
@@ -29,17 +27,10 @@ double Run::weight() const {
 }
 
 Run make_run(Bench& bench, double spacing, double end) {
-  Run run;
-  const auto look = [&](const Frame& frame, const RunInfo& info) {
-    const std::vector<double> x = stations(info.tank[0], 60), z = surface_heights(frame, info, x);
-    run.profiles[frame.time] = {x, z};
-    run.mean_height.t.push_back(frame.time);
-    run.mean_height.y.push_back(std::accumulate(z.begin(), z.end(), 0.0) / z.size());
-  };
-  run.recording = bench.run(
-      "pan2008",
-      {fmt::format("particles.spacing={}", spacing), fmt::format("time.end={}", end), "output.frame_rate=20"}, look);
-  return run;
+  const std::vector<std::string> settings{fmt::format("particles.spacing={}", spacing), fmt::format("time.end={}", end),
+                                          "output.frame_rate=20"};
+  const double length = bench.scene("pan2008", settings).parameters.tank.length;
+  return {bench.run("pan2008", settings, {}, stations(length, 60))};
 }
 
 std::string millimetres(double spacing) { return fmt::format("{:g} mm", 1000 * spacing); }

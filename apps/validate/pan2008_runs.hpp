@@ -17,11 +17,9 @@ struct References {
 
 References read_references(const Bench& bench);
 
-/// A run's sensors, and its surface over x at each frame.
+/// A run's sensors, with 60 wave gauges along the tank.
 struct Run {
   Recording recording;
-  std::map<double, Series> profiles;  ///< by time [s]; height over x [m]
-  Series mean_height;                 ///< [m]
 
   const Series& left() const { return recording.sensors.at("eta_left [m]"); }
   const Series& right() const { return recording.sensors.at("eta_right [m]"); }

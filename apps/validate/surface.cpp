@@ -1,32 +1,31 @@
 #include "apps/validate/surface.hpp"
 
 #include <algorithm>
-
-#include "solver/sensors.hpp"
+#include <numeric>
 
 namespace seiche::validate {
-namespace {
-
-solver::State<2> state_of(const Frame& frame) {
-  solver::State<2> state;
-  for (std::size_t i = 0; i < frame.size(); ++i)
-    state.add({frame.position[i][0], frame.position[i][1]}, frame.kind[i], {0, 0});
-  return state;
-}
-
-}  // namespace
-
 std::vector<double> stations(double length, int count) {
   std::vector<double> x(count);
   for (int i = 0; i < count; ++i) x[i] = length * (i + 0.5) / count;
   return x;
 }
 
-std::vector<double> surface_heights(const Frame& frame, const RunInfo& run, const std::vector<double>& x) {
-  const solver::State<2> state = state_of(frame);
-  std::vector<double> heights;
-  for (const double at : x) heights.push_back(solver::WaveGauge<2>({at, 0}, run.tank[1], run.spacing).level(state));
+Series profile(const Recording& recording, double time) {
+  Series heights;
+  for (std::size_t k = 0; k < recording.stations.size(); ++k) {
+    heights.t.push_back(recording.stations[k]);
+    heights.y.push_back(recording.parameters.fluid.depth + recording.sensors.at(station_column(k)).at(time));
+  }
   return heights;
+}
+
+double mean_height(const Recording& recording, double from, double to) {
+  double sum = 0;
+  for (std::size_t k = 0; k < recording.stations.size(); ++k) {
+    const Series part = recording.sensors.at(station_column(k)).between(from, to);
+    sum += std::accumulate(part.y.begin(), part.y.end(), 0.0) / part.size();
+  }
+  return recording.parameters.fluid.depth + sum / recording.stations.size();
 }
 
 double front(const Frame& frame, double spacing) {

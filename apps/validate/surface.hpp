@@ -1,16 +1,18 @@
 #pragma once
 #include <vector>
 
-#include "apps/validate/series.hpp"
-#include "solver/frame.hpp"
+#include "apps/validate/bench.hpp"
 
 namespace seiche::validate {
 
 /// Middles of `count` equal parts of a tank's length [m].
 std::vector<double> stations(double length, int count);
 
-/// Height of the surface above the floor at each x of a 2-D frame [m], as a wave gauge there would read it.
-std::vector<double> surface_heights(const Frame& frame, const RunInfo& run, const std::vector<double>& x);
+/// The surface over the recording's stations at a time: its height above the floor over x [m].
+Series profile(const Recording& recording, double time);
+
+/// Mean over the stations and the times of [from, to] of the surface's height above the floor [m].
+double mean_height(const Recording& recording, double from, double to);
 
 /// How far the water reaches to the right [m]: the greatest x of fluid with two other fluid particles within 1.5 l0,
 /// and half a spacing. Drops that fly ahead alone or in pairs don't count.

@@ -2,22 +2,41 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/simulation.hpp"
-
 namespace seiche::validate {
 namespace {
 
-TEST(Surface, OfStillWaterIsItsDepthEverywhere) {
-  Parameters p;
-  p.particles.spacing = 0.01;
-  RunInfo run;
-  run.tank = {0.6, 0.4, 0};
-  run.spacing = 0.01;
-  const FramePtr frame = make_simulation(p, 0)->frame(0);
-  const std::vector<double> x = stations(0.6, 60);
-  EXPECT_NEAR(x.front(), 0.005, 1e-12);
-  EXPECT_NEAR(x.back(), 0.595, 1e-12);
-  for (const double height : surface_heights(*frame, run, x)) EXPECT_NEAR(height, 0.2, 2e-4);
+TEST(Stations, AreTheMiddlesOfEqualParts) { EXPECT_EQ(stations(0.6, 3), (std::vector<double>{0.1, 0.3, 0.5})); }
+
+TEST(Surface, ComesFromTheGaugesAtTheStations) {
+  Recording recording;
+  recording.parameters.fluid.depth = 0.2;
+  recording.stations = {0.1, 0.5};
+  recording.sensors[station_column(0)] = {{0, 1, 2}, {0, 0.01, 0.03}};
+  recording.sensors[station_column(1)] = {{0, 1, 2}, {0, -0.02, 0.05}};
+  const Series surface = profile(recording, 1.5);
+  EXPECT_EQ(surface.t, recording.stations);
+  EXPECT_NEAR(surface.y[0], 0.22, 1e-12);
+  EXPECT_NEAR(surface.y[1], 0.215, 1e-12);
+  EXPECT_NEAR(mean_height(recording, 0, 0), 0.2, 1e-12);
+  EXPECT_NEAR(mean_height(recording, 1, 2), 0.2 + (0.01 + 0.03 - 0.02 + 0.05) / 4, 1e-12);
+}
+
+TEST(Bench, RunsASceneWithGaugesAtStations) {
+  Bench bench(SEICHE_SOURCE_DIR "/scenes", true, 1, [] { return false; });
+  const std::vector<double> x = stations(0.5, 4);
+  int frames = 0;
+  const Recording run = bench.run(
+      "still-tank", {"particles.spacing=0.02", "time.end=0.02", "output.frame_rate=100"},
+      [&](const Frame&, const RunInfo&) { ++frames; }, x);
+  EXPECT_EQ(frames, 3);
+  EXPECT_EQ(run.end, 0.02);
+  EXPECT_EQ(run.failure, "");
+  EXPECT_EQ(run.sensors.at("p_left_bottom [Pa]").size(), 21u);
+  EXPECT_NEAR(run.sensors.at("p_left_bottom [Pa]").at(0.01), 1962, 20);
+  EXPECT_EQ(run.sensors.count("eta_left [m]") + run.sensors.count("eta_right [m]"), 2u);
+  const Series surface = profile(run, 0.02);
+  EXPECT_EQ(surface.t, x);
+  for (const double height : surface.y) EXPECT_NEAR(height, 0.2, 0.002);
 }
 
 TEST(Front, IsThatOfTheWaterNotOfDrops) {
