@@ -9,8 +9,12 @@ namespace {
 
 std::string motion_text(const Parameters::Motion& motion) {
   if (motion.type == "none") return "tank at rest";
-  return fmt::format("{} of {:g} m at {:g} Hz, {} start", motion.type, motion.amplitude, motion.frequency,
-                     motion.start);
+  const std::string start = fmt::format("{} start", motion.start);
+  if (motion.type == "harmonics") return fmt::format("moved by {} harmonics, {}", motion.harmonics.size(), start);
+  if (motion.type == "file")
+    return fmt::format("moved by {} samples of {}, {}", motion.series.time.size(), motion.file, start);
+  return fmt::format("{} of {:g} {} at {:g} Hz, {}", motion.type, motion.amplitude,
+                     motion.type == "roll" ? "degrees" : "m", motion.frequency, start);
 }
 
 }  // namespace

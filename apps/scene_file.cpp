@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "apps/list_settings.hpp"
+#include "apps/motion_file.hpp"
 #include "apps/nearest.hpp"
 #include "apps/toml_settings.hpp"
 #include "solver/simulation.hpp"
@@ -79,6 +80,9 @@ Scene parse_scene(const std::string& toml, const std::string& file, const std::v
   if (!all.complaints.empty()) refuse(std::move(all.complaints));
   scene.file = file;
   scene.name = fs::path(file).stem();
+  Parameters::Motion& motion = scene.parameters.motion;
+  if (motion.type == "file" && !motion.file.empty())
+    motion.series = read_motion_file((fs::path(file).parent_path() / motion.file).string());
   try {
     check_parameters(scene.parameters);
   } catch (const BadParameters& error) {

@@ -14,7 +14,8 @@ struct BadScene : std::runtime_error {
 };
 
 /// Reads a scene: the preset first, then the file's keys, then the overrides; of two overrides of a key the last one
-/// wins. Then checks what concerns several keys at once. Throws BadScene.
+/// wins. Then reads its motion file, whose path starts from the scene's folder, and checks what concerns several keys
+/// at once. Throws BadScene.
 Scene read_scene(const std::string& file, const std::vector<Override>& overrides);
 
 /// The same from a file's text; `file` is its name in messages and gives the scene's name.

@@ -1,6 +1,7 @@
 #include "apps/scene_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdint>
 
@@ -10,9 +11,19 @@
 namespace seiche::apps {
 namespace {
 
-// Text needs no escapes: every word of the tables and every written form is plain.
+// A basic string of TOML.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    result += control ? fmt::format("\\u{:04x}", c) : std::string(1, c);
+  }
+  return result + '"';
+}
+
 std::string toml_value(const Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return fmt::format("\"{}\"", *text);
+  if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
   return std::visit([](const auto& plain) { return fmt::format("{}", plain); }, value);
 }
 
@@ -63,8 +74,11 @@ std::string scene_text(const Scene& scene) { return text(scene, false); }
 std::string explained_scene_text(const Scene& scene) { return text(scene, true); }
 
 std::string scene_hash(const Scene& scene) {
+  std::string all = scene_text(scene);
+  const Parameters::TimeSeries& s = scene.parameters.motion.series;
+  for (const auto* values : {&s.time, &s.surge, &s.heave, &s.roll}) all += fmt::format("\n{}", fmt::join(*values, ","));
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
-  for (const unsigned char c : scene_text(scene)) hash = (hash ^ c) * 0x100000001b3;
+  for (const unsigned char c : all) hash = (hash ^ c) * 0x100000001b3;
   return fmt::format("{:016x}", hash);
 }
 

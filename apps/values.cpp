@@ -38,6 +38,7 @@ std::string refusal(const Slot& slot, const Value& value, const std::string& why
 
 // What is wrong with a word; nothing if it will do.
 std::optional<std::string> wrong_word(const Slot& slot, const std::string& word) {
+  if (std::holds_alternative<Text>(slot.rule)) return {};
   if (std::holds_alternative<Name>(slot.rule)) {
     if (is_name(word)) return {};
     return refusal(slot, word, "is no name");
@@ -84,7 +85,7 @@ std::optional<std::string> put_bool(const Slot& slot, bool& target, const Value&
 std::string expected(const Rule& rule, std::string_view unit, bool whole) {
   return std::visit(
       Overloaded{[](const Choices& choices) { return fmt::format("one of {}", fmt::join(choices, ", ")); },
-                 [](Name) { return std::string("a name of a-z, 0-9 and _"); },
+                 [](Name) { return std::string("a name of a-z, 0-9 and _"); }, [](Text) { return std::string("text"); },
                  [](std::monostate) { return std::string("true or false"); },
                  [&](const Range& range) {
                    const std::string ends = range.above_low ? fmt::format("above {}, up to {}", range.low, range.high)

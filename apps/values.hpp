@@ -24,7 +24,10 @@ using Choices = std::vector<std::string_view>;
 /// A word of a-z, 0-9 and _, as in the name of a column. In a list each table has another.
 struct Name {};
 
-using Rule = std::variant<std::monostate, Range, Choices, Name>;
+/// Any text.
+struct Text {};
+
+using Rule = std::variant<std::monostate, Range, Choices, Name, Text>;
 
 /// The member of a scene behind a key.
 using Target = std::variant<double*, int*, bool*, std::string*>;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <vtkActor.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -110,11 +111,13 @@ Painter::~Painter() = default;
 
 Image Painter::draw(const Frame& frame, Range range) {
   if (!stage_) stage_ = std::make_unique<Stage>(run_, look_, frame);
-  Double3 shift = look_.view == "lab" ? frame.pose.displacement : Double3{};
-  stage_->particles->show(frame, range, shift);
+  const TankPose pose = look_.view == "lab" ? frame.pose : TankPose{};
+  stage_->particles->show(frame, range, pose);
   for (const auto& part : stage_->tank) {
-    Double3 at = shift;
+    Double3 at = pose.displacement;
     if (run_.dimension == 2) at[2] = 0.5 * Particles::layer_height(run_);  // over the liquid, under the marks
+    part->SetOrigin(pose.pivot[0], pose.pivot[1], 0);
+    part->SetOrientation(0, 0, vtkMath::DegreesFromRadians(pose.roll));
     part->SetPosition(at.data());
   }
   if (stage_->bar) stage_->bar->show(range, fluid_range(frame));

@@ -156,14 +156,17 @@ double Particles::layer_height(const RunInfo& run) { return 0.02 * (run.tank[0] 
 
 Particles::~Particles() = default;
 
-void Particles::show(const Frame& frame, Range range, const Double3& shift) {
+void Particles::show(const Frame& frame, Range range, const TankPose& pose) {
   Layer* const layers[] = {fluid_.get(), marked_.get(), surface_.get(), wall_.get(), dummy_.get()};
   for (Layer* layer : layers)
     if (layer) layer->clear();
   const double width = range.high - range.low;
+  const double c = std::cos(pose.roll), s = std::sin(pose.roll);
   for (std::size_t i = 0; i < frame.size(); ++i) {
-    Float3 at = frame.position[i];
-    for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += static_cast<float>(shift[axis]);
+    const Float3& in_tank = frame.position[i];
+    const double x = in_tank[0] - pose.pivot[0], y = in_tank[1] - pose.pivot[1];
+    const Float3 at{static_cast<float>(pose.pivot[0] + pose.displacement[0] + c * x - s * y),
+                    static_cast<float>(pose.pivot[1] + pose.displacement[1] + s * x + c * y), in_tank[2]};
     switch (frame.kind[i]) {
       case Kind::fluid: {
         const bool marked = surface_ && frame.free_surface[i];

@@ -16,8 +16,8 @@ class Particles {
   Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke);
   ~Particles();
 
-  /// Takes over a frame's particles, moved by `shift` [m].
-  void show(const Frame& frame, Range range, const Double3& shift);
+  /// Takes over a frame's particles, of a tank that stands as `pose` says.
+  void show(const Frame& frame, Range range, const TankPose& pose);
 
   /// 2-D: what lies between walls, fluid and marks along z; far more than the relief of any of them [m].
   static double layer_height(const RunInfo& run);

@@ -86,6 +86,9 @@ void write_vtu(const std::filesystem::path& file, const Frame& frame, const Note
   add_field(fields, "TimeValue", &frame.time, 1);
   add_field(fields, "tank_displacement", frame.pose.displacement.data(), 3);
   add_field(fields, "tank_velocity", frame.pose.velocity.data(), 3);
+  add_field(fields, "tank_roll", &frame.pose.roll, 1);
+  add_field(fields, "tank_roll_rate", &frame.pose.roll_rate, 1);
+  add_field(fields, "tank_pivot", frame.pose.pivot.data(), 3);
   for (const auto& [keyword, text] : notes) {
     std::string name = keyword;
     for (char& c : name) c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

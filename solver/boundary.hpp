@@ -16,7 +16,7 @@ struct PaperBoundary {
   bool unknown(int i) const { return s.kind[i] != Kind::dummy && !s.surface[i]; }
   double own(int) const { return 0; }
   double on_diagonal(int j, double weight) const { return s.kind[j] == Kind::dummy ? 0 : weight; }
-  double on_right(int, double, const Vec<D>&) const { return 0; }
+  double on_right(int, int, double, const Vec<D>&) const { return 0; }
 };
 
 /// (slope.n)(n.r), the part of slope.r across a wall; 0 in a corner, where no single normal exists (n = 0). The slope
@@ -39,23 +39,27 @@ struct GhostBoundary {
   const std::vector<std::uint8_t>& near;  ///< 1 near the surface
   double density_n0;                      ///< n0 that belongs to n_i
   double n0;                              ///< n0 of the Laplacian's own radius
-  Vec<D> slope;                           ///< rho f [Pa/m]
+  const Vecs<D>& slope;                   ///< rho f at each fluid particle [Pa/m]
   bool unknown(int i) const { return s.kind[i] == Kind::fluid && !s.surface[i]; }
   double own(int i) const { return near[i] ? 4. / 3 * n0 * std::max(0.0, 1 - density[i] / density_n0) : 0; }
   double on_diagonal(int j, double weight) const { return s.kind[j] == Kind::fluid ? weight : 0; }
-  double on_right(int j, double weight, const Vec<D>& rij) const {
-    return weight * (s.kind[j] == Kind::fluid ? s.pressure[j] : rise_across(s.normal[j], slope, rij));
+  double on_right(int i, int j, double weight, const Vec<D>& rij) const {
+    return weight * (s.kind[j] == Kind::fluid ? s.pressure[j] : rise_across(s.normal[j], slope[i], rij));
   }
 };
 
 /// Gives free-surface particles their pressure: the surface lies l0/2 above the topmost centres, so rho |f| l0/2 where
 /// half the neighbours are there as below a flat surface, and less in proportion for drops and films.
+/// @param rho of the liquid [kg/m^3]; 0 gives p = 0
+/// @param force f at each fluid particle [m/s^2]
 template <int D>
-void set_surface_pressure(double slope, double l0, double flat_density, const Scalars& density, State<D>& s) {
+void set_surface_pressure(double rho, const Vecs<D>& force, double l0, double flat_density, const Scalars& density,
+                          State<D>& s) {
   const int size = static_cast<int>(s.size());
   for (int i = 0; i < size; ++i)
     if (s.surface[i])
-      s.pressure[i] = s.kind[i] == Kind::fluid ? 0.5 * l0 * slope * std::min(1.0, density[i] / flat_density) : 0;
+      s.pressure[i] =
+          s.kind[i] == Kind::fluid ? 0.5 * l0 * (rho * force[i].norm()) * std::min(1.0, density[i] / flat_density) : 0;
 }
 
 /// Number density of a lattice particle in the topmost layer below a flat surface: half of what is there beside its own
@@ -67,8 +71,9 @@ double flat_surface_density(const K& w, double l0) {
 
 /// Pressure at wall particles [Pa], for sensors and pictures: the mean over the fluid around of what each would have
 /// behind the wall. 0 where there is no fluid.
+/// @param slope rho f at each fluid particle [Pa/m]
 template <int D, class K>
-void extend_to_walls(const K& w, const Vec<D>& slope, const Neighbours<D>& list, State<D>& s) {
+void extend_to_walls(const K& w, const Vecs<D>& slope, const Neighbours<D>& list, State<D>& s) {
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
@@ -79,7 +84,7 @@ void extend_to_walls(const K& w, const Vec<D>& slope, const Neighbours<D>& list,
       const Vec<D> rji = s.position[i] - s.position[j];
       const double r = rji.norm();
       if (!(r < w.support)) continue;
-      sum += w(r) * (s.pressure[j] + rise_across(s.normal[i], slope, rji));
+      sum += w(r) * (s.pressure[j] + rise_across(s.normal[i], slope[j], rji));
       weights += w(r);
     }
     s.pressure[i] = weights > 0 ? sum / weights : 0;

@@ -70,11 +70,11 @@ Vec<D> combine(CorrectedGradient g, const GradientSums<D>& s, double n0) {
 }  // namespace detail
 
 /// Gradient of a pressure at fluid particles [Pa/m]; zero elsewhere. Dummies have no pressure and don't take part.
-/// @param slope rho f, the slope of the pressure across walls [Pa/m], which then stands for the wall particles'
-/// pressures;
+/// @param slope rho f at each fluid particle, the slope of the pressure across walls [Pa/m], which then stands for the
+/// wall particles' pressures;
 ///        null: wall particles have pressures of their own
 template <int D, class K, class Model>
-void pressure_gradient(Model model, const K& w, double n0, const Vec<D>* slope, const Neighbours<D>& list,
+void pressure_gradient(Model model, const K& w, double n0, const Vecs<D>* slope, const Neighbours<D>& list,
                        const State<D>& s, Vecs<D>& out) {
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
@@ -89,7 +89,7 @@ void pressure_gradient(Model model, const K& w, double n0, const Vec<D>* slope, 
       const double weight = w(std::sqrt(r2)) / r2;
       sums.all_directions += weight * rij;
       if (slope && s.kind[j] != Kind::fluid)
-        sums.add_wall(weight, rij, s.normal[j], *slope);
+        sums.add_wall(weight, rij, s.normal[j], (*slope)[i]);
       else if (s.kind[j] != Kind::dummy)
         sums.add(weight, rij, s.pressure[j] - s.pressure[i]);
     }

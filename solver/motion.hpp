@@ -1,29 +1,53 @@
 #pragma once
-#include <cmath>
-#include <numbers>
+#include <string>
+#include <vector>
 
+#include "solver/course.hpp"
 #include "solver/frame.hpp"
 #include "solver/parameters.hpp"
 
 namespace seiche::solver {
 
-/// The tank's motion in the lab: surge x(t) = A sin(2 pi f t), or rest.
+/// The tank's motion in the lab. A point r of the tank is at pivot + (surge, heave) + R(roll) (r - pivot), R the
+/// rotation about z from x towards y.
 class Motion {
  public:
-  explicit Motion(const Parameters::Motion& m)
-      : amplitude_(m.type == "surge" ? m.amplitude : 0), omega_(2 * std::numbers::pi * m.frequency) {}
+  explicit Motion(const Parameters::Motion& m);
 
-  double displacement(double t) const { return amplitude_ * std::sin(omega_ * t); }       ///< [m]
-  double velocity(double t) const { return amplitude_ * omega_ * std::cos(omega_ * t); }  ///< [m/s]
-  double fastest() const { return std::abs(amplitude_ * omega_); }                        ///< [m/s]
+  Jet surge(double t) const { return surge_.at(t); }  ///< along x [m, m/s, m/s^2]
+  Jet heave(double t) const { return heave_.at(t); }  ///< along y, the same
+  Jet roll(double t) const { return roll_.at(t); }    ///< [rad, rad/s, rad/s^2]
 
-  /// Mean acceleration over a step [m/s^2]: with it the velocity of a free particle is exact whatever the step.
-  double mean_acceleration(double t, double dt) const { return (velocity(t + dt) - velocity(t)) / dt; }
+  bool rolls() const { return roll_.moves(); }
+  double pivot_x() const { return pivot_x_; }  ///< [m]
+  double pivot_y() const { return pivot_y_; }
 
-  TankPose pose(double t) const { return {{displacement(t), 0, 0}, {velocity(t), 0, 0}}; }
+  /// Half the vorticity in the lab of liquid that has kept what it had at t = 0: none if it was at rest, that of the
+  /// tank if it moved with it [rad/s].
+  double spin_of_liquid() const { return spin_; }
+
+  /// Whether the tank's velocity jumps at t = 0, the liquid being at rest in the lab.
+  bool jumps() const;
+
+  /// No point of the tank within `reach` [m] of the pivot is ever faster [m/s].
+  double fastest(double reach = 0) const;
+
+  /// No point of the box [low, high] is ever farther from where it is at (surge, heave, roll) = 0, on either axis [m].
+  Double3 extent(const Double3& low, const Double3& high) const;
+
+  TankPose pose(double t) const;
+
+  /// Appends the value of each of motion_columns at t: [m], [m], [degrees].
+  void append(double t, std::vector<double>& values) const;
 
  private:
-  double amplitude_, omega_;
+  Course surge_, heave_, roll_;
+  double pivot_x_, pivot_y_;
+  double spin_;
+  bool impulsive_;
 };
+
+/// Names with units of what the motion moves, of "surge [m]", "heave [m]" and "roll [deg]".
+std::vector<std::string> motion_columns(const Parameters::Motion& m);
 
 }  // namespace seiche::solver

@@ -1,6 +1,7 @@
 #pragma once
 #include <omp.h>
 
+#include "solver/body_force.hpp"
 #include "solver/density.hpp"
 #include "solver/divergence.hpp"
 #include "solver/gradient.hpp"
@@ -55,7 +56,8 @@ class Mps final : public Simulation {
   void predict(double dt);
   void refresh_neighbours();
   void find_surface();
-  void solve_pressure(double dt, double surface_slope);
+  void set_force(const BodyForce<D>& force);
+  void solve_pressure(double dt, double surface_density);
   void clip_pressure();
   template <class Boundary>
   void assemble(const Boundary& boundary, double dt);
@@ -63,7 +65,7 @@ class Mps final : public Simulation {
   void correct_velocity(double dt);
   void separate();
   void take_out_lost();
-  void project_start(double jump);
+  void start_at_rest_in_lab();
 
   /// Walls bound the pressure as ghosts in the stabilised order, as particles with pressures in the paper's.
   bool ghost_walls() const { return p_.method.order == "project-first"; }
@@ -95,14 +97,15 @@ class Mps final : public Simulation {
   Statistics totals_;
   long fluid_at_start_ = 0;
   double fastest_ = 0;
-  double flat_density_;            ///< n of the topmost layer below a flat surface
-  Vec<D> force_ = Vec<D>::Zero();  ///< f of this step [m/s^2]
+  double force_divergence_ = 0;  ///< of f [1/s^2]
+  double flat_density_;          ///< n of the topmost layer below a flat surface
 
   // Buffers kept between steps: number density, its count, divergence, vectors, the old velocity, nearness to the
   // surface.
   Scalars n_, divergence_;
   std::vector<int> count_, collisions_;
   Vecs<D> change_, old_velocity_;
+  Vecs<D> force_, slope_;  ///< f of this step at each fluid particle [m/s^2], and rho f [Pa/m]
   std::vector<std::uint8_t> near_;
   Eigen::VectorXd solution_;
 };

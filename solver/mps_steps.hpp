@@ -28,13 +28,7 @@ Mps<D, K>::Mps(const Parameters& p, K kernel, double sample_interval)
   find_surface();
   if (const StandingWave wave(p); p.fluid.wave_amplitude > 0)
     each_fluid([&](int i) { s_.velocity[i] = wave.velocity<D>(s_.position[i]); });
-  if (p.motion.start == "impulsive" && motion_.fastest() > 0) {
-    const double jump = motion_.velocity(0);
-    if (ghost_walls())
-      project_start(jump);
-    else
-      each_fluid([&](int i) { s_.velocity[i][0] -= jump; });
-  }
+  if (motion_.jumps()) start_at_rest_in_lab();
   fastest_ = watch_.check_motion(s_);
   sensors_.read(s_);
 }
@@ -82,7 +76,7 @@ void Mps<D, K>::step_move_first(double dt) {
   separate();
   refresh_neighbours();
   find_surface();
-  solve_pressure(dt, p_.fluid.density * force_.norm());
+  solve_pressure(dt, p_.fluid.density);
   clip_pressure();
   correct_velocity(dt);
   move_fluid([&](int i) { return Vec<D>(dt * change_[i]); });
@@ -96,7 +90,7 @@ void Mps<D, K>::step_project_first(double dt) {
   old_velocity_ = s_.velocity;
   find_surface();
   predict(dt);
-  solve_pressure(dt, p_.fluid.density * force_.norm());
+  solve_pressure(dt, p_.fluid.density);
   clip_pressure();
   correct_velocity(dt);
   particle_shift(density_range_.w, density_range_.ref.n0, p_.method.shift, l0_, list_, near_, s_, change_);
@@ -104,16 +98,29 @@ void Mps<D, K>::step_project_first(double dt) {
   separate();
 }
 
-/// u* = u + dt (nu Laplacian(u) + f), equations (12) and (13); f is gravity less the tank's acceleration.
+/// u* = u + dt (nu Laplacian(u) + f), equations (12) and (13); f is gravity less the inertial forces of the tank's
+/// frame.
 template <int D, class K>
 void Mps<D, K>::predict(double dt) {
   const Stage stage(totals_.seconds["explicit"]);
   velocity_laplacian(laplacian_range_.w, laplacian_range_.ref, p_.method.wall == "free-slip", list_, s_, change_);
-  force_[0] = -motion_.mean_acceleration(s_.time, dt);
-  force_[1] = -p_.gravity;
+  set_force(body_force<D>(motion_, p_.gravity, s_.time, dt));
   // Ghost walls balance f in the pressure equation itself, so there it joins the velocity only after the projection.
-  const Vec<D> now = ghost_walls() ? Vec<D>(Vec<D>::Zero()) : force_;
-  each_fluid([&](int i) { s_.velocity[i] += dt * (p_.fluid.viscosity * change_[i] + now); });
+  const bool now = !ghost_walls();
+  each_fluid([&](int i) {
+    s_.velocity[i] += dt * (p_.fluid.viscosity * change_[i] + (now ? force_[i] : Vec<D>(Vec<D>::Zero())));
+  });
+}
+
+template <int D, class K>
+void Mps<D, K>::set_force(const BodyForce<D>& force) {
+  force_.resize(s_.size());
+  slope_.resize(s_.size());
+  force_divergence_ = force.divergence;
+  each_fluid([&](int i) {
+    force_[i] = force(s_.position[i], s_.velocity[i]);
+    slope_[i] = p_.fluid.density * force_[i];
+  });
 }
 
 template <int D, class K>
@@ -139,16 +146,15 @@ void Mps<D, K>::find_surface() {
 }
 
 /// Solves equation (10) for the pressure at the end of the step.
-/// @param surface_slope of the pressure below the free surface [Pa/m], for ghost walls
+/// @param surface_density rho of the pressure's slope below the free surface, for ghost walls; 0: p = 0 there
 template <int D, class K>
-void Mps<D, K>::solve_pressure(double dt, double surface_slope) {
-  const Vec<D> slope = p_.fluid.density * force_;
+void Mps<D, K>::solve_pressure(double dt, double surface_density) {
   const int size = static_cast<int>(s_.size());
   {
     const Stage stage(totals_.seconds["assembly"]);
     if (ghost_walls()) {
-      set_surface_pressure(surface_slope, l0_, flat_density_, n_, s_);
-      assemble(GhostBoundary<D>{s_, n_, near_, density_range_.ref.n0, laplacian_range_.ref.n0, slope}, dt);
+      set_surface_pressure(surface_density, force_, l0_, flat_density_, n_, s_);
+      assemble(GhostBoundary<D>{s_, n_, near_, density_range_.ref.n0, laplacian_range_.ref.n0, slope_}, dt);
     } else {
       assemble(PaperBoundary<D>{s_}, dt);
     }
@@ -162,7 +168,7 @@ void Mps<D, K>::solve_pressure(double dt, double surface_slope) {
     else if (!ghost_walls() || s_.kind[i] != Kind::fluid)
       s_.pressure[i] = 0;
   }
-  if (ghost_walls()) extend_to_walls(density_range_.w, slope, list_, s_);
+  if (ghost_walls()) extend_to_walls(density_range_.w, slope_, list_, s_);
 }
 
 /// Negative pressures become 0: particles that pull at each other clump.
@@ -183,7 +189,7 @@ void Mps<D, K>::assemble(const Boundary& boundary, double dt) {
 #pragma omp parallel for schedule(static)
   for (int k = 0; k < system_.rows(); ++k) {
     const int i = system_.particle(k);
-    system_.right()[k] += scale * source(divergence_[i], (n_[i] - n0) / n0, near_[i]);
+    system_.right()[k] += scale * source(divergence_[i] + dt * force_divergence_, (n_[i] - n0) / n0, near_[i]);
     solution_[k] = s_.pressure[i];
   }
 }
@@ -208,9 +214,8 @@ void Mps<D, K>::solve_system() {
 template <int D, class K>
 void Mps<D, K>::correct_velocity(double dt) {
   const Stage stage(totals_.seconds["gradient"]);
-  const Vec<D> slope = p_.fluid.density * force_;
   const auto gradient = [&](auto model) {
-    pressure_gradient(model, gradient_range_.w, gradient_range_.ref.n0, ghost_walls() ? &slope : nullptr, list_, s_,
+    pressure_gradient(model, gradient_range_.w, gradient_range_.ref.n0, ghost_walls() ? &slope_ : nullptr, list_, s_,
                       change_);
   };
   if (p_.method.gradient == "corrected") gradient(CorrectedGradient{});
@@ -218,7 +223,7 @@ void Mps<D, K>::correct_velocity(double dt) {
   if (p_.method.gradient == "plain") gradient(PlainGradient{});
   each_fluid([&](int i) {
     change_[i] *= -dt / p_.fluid.density;
-    if (ghost_walls()) change_[i] += dt * force_;
+    if (ghost_walls()) change_[i] += dt * force_[i];
     s_.velocity[i] += change_[i];
   });
 }
@@ -256,15 +261,16 @@ void Mps<D, K>::take_out_lost() {
   find_surface();
 }
 
-/// Impulsive start: the jump of the tank's velocity is an impulse, a force -jump/dt over one step of length dt without
-/// gravity. The velocity that it leaves doesn't depend on dt; its pressure, which no finite step could report, is
-/// forgotten.
+/// Impulsive start: relative to the tank, liquid at rest in the lab moves at -(v + w k x d). Between ghost walls that
+/// jump is an impulse, a force over one step of length dt without gravity, and the velocity that it leaves, whatever
+/// dt, is projected; its pressure, which no finite step could report, is forgotten.
 template <int D, class K>
-void Mps<D, K>::project_start(double jump) {
+void Mps<D, K>::start_at_rest_in_lab() {
+  const double dt = step_cap(p_);
+  set_force(start_force<D>(motion_, dt));
+  if (!ghost_walls()) return each_fluid([&](int i) { s_.velocity[i] += dt * force_[i]; });
   const Scalars still = s_.pressure;
   std::fill(s_.pressure.begin(), s_.pressure.end(), 0);
-  const double dt = step_cap(p_);
-  force_[0] = -jump / dt;
   solve_pressure(dt, 0);
   correct_velocity(dt);
   s_.pressure = still;

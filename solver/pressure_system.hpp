@@ -68,7 +68,7 @@ class PressureSystem {
       const double weight = w(std::sqrt(r2));
       if (row_[j] < 0) {
         sum += boundary.on_diagonal(j, weight);
-        right += boundary.on_right(j, weight, rij);
+        right += boundary.on_right(i, j, weight, rij);
       } else {
         sum += weight;
         column_[out] = row_[j];

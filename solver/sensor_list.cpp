@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "solver/motion.hpp"
 #include "solver/simulation.hpp"
 
 namespace seiche {
@@ -122,6 +123,7 @@ std::vector<std::string> sensor_columns(const Parameters& p) {
   if (sensors.energy && !flat) add({"kinetic_energy [J]", "potential_energy [J]"});
   if (sensors.volume && flat) add({"volume [m^2]", "x_mass [m]", "y_mass [m]"});
   if (sensors.volume && !flat) add({"volume [m^3]", "x_mass [m]", "y_mass [m]", "z_mass [m]"});
+  for (std::string& moved : solver::motion_columns(p.motion)) names.push_back(std::move(moved));
   return names;
 }
 

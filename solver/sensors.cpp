@@ -15,7 +15,7 @@ double elevation(double level, double depth, double l0) {
 
 template <int D>
 Sensors<D>::Sensors(const Parameters& p, double interval, const State<D>& s)
-    : p_(p), interval_(interval), cells_(p), surface_(p), walls_(p, s) {
+    : p_(p), interval_(interval), motion_(p.motion), cells_(p), surface_(p), walls_(p, s) {
   const Parameters::Sensors all = sensors_of(p);
   for (const auto& sensor : all.pressure) pressures_.emplace_back(sensor, p);
   const double l0 = p.particles.spacing;
@@ -40,12 +40,13 @@ template <int D>
 void Sensors<D>::read(const State<D>& s) {
   if (!is_due(s.time)) return;
   evaluate(s, now_);
-  for (double t; is_due(s.time); ++next_) {
-    t = next_ * interval_;
+  for (; is_due(s.time); ++next_) {
+    const double t = next_ * interval_;
     readings_.time.push_back(t);
     const double share = s.time > last_time_ && !last_.empty() ? (t - last_time_) / (s.time - last_time_) : 1;
     for (std::size_t k = 0; k < now_.size(); ++k)
       readings_.values.push_back(share == 1 ? now_[k] : last_[k] + share * (now_[k] - last_[k]));
+    motion_.append(t, readings_.values);
   }
   std::swap(last_, now_);
   last_time_ = s.time;

@@ -1,6 +1,7 @@
 #pragma once
 #include "solver/budget.hpp"
 #include "solver/frame.hpp"
+#include "solver/motion.hpp"
 #include "solver/pressure_sensor.hpp"
 #include "solver/wall_load.hpp"
 #include "solver/wave_gauge.hpp"
@@ -8,7 +9,8 @@
 namespace seiche::solver {
 
 /// The sensors of a run, read at exact multiples of the sample interval by linear interpolation between the states
-/// before and after a step. Nothing is evaluated for steps without a sample.
+/// before and after a step, and the tank's motion as it is at those times. Nothing is evaluated for steps without a
+/// sample.
 template <int D>
 class Sensors {
  public:
@@ -31,6 +33,7 @@ class Sensors {
 
   Parameters p_;
   double interval_;
+  Motion motion_;
   FluidCells<D> cells_;
   SurfaceProfile<D> surface_;
   WallLoad<D> walls_;

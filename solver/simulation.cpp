@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "solver/check_motion.hpp"
 #include "solver/motion.hpp"
 #include "solver/mps.hpp"
 #include "solver/sensor_list.hpp"
@@ -66,7 +67,7 @@ void check_name(const char* key, const std::string& name, std::initializer_list<
 }  // namespace
 
 void check_parameters(const Parameters& p) {
-  check_name("motion.type", p.motion.type, {"none", "surge"});
+  check_name("motion.type", p.motion.type, {"none", "surge", "heave", "roll", "harmonics", "file"});
   check_name("motion.start", p.motion.start, {"impulsive", "smooth"});
   check_name("method.order", p.method.order, {"project-first", "move-first"});
   check_name("method.source", p.method.source, {"mixed", "density"});
@@ -98,6 +99,7 @@ void check_parameters(const Parameters& p) {
         fmt::format("method.shift = {:.6g} needs method.order = project-first: the other order moves "
                     "particles twice and leaves no place for a shift",
                     p.method.shift));
+  solver::check_motion(p);
   const double particles = p.tank.length * p.tank.height / (l0 * l0) * (p.tank.width > 0 ? p.tank.width / l0 : 1);
   if (particles > 1e8)
     throw BadParameters(
@@ -106,7 +108,9 @@ void check_parameters(const Parameters& p) {
 }
 
 Double3 motion_extent(const Parameters& p) {
-  return {p.motion.type == "surge" ? std::abs(p.motion.amplitude) : 0, 0, 0};
+  // The walls' particles stand outside of the box.
+  const double walls = solver::wall_layers(p.method) * p.particles.spacing;
+  return solver::Motion(p.motion).extent({-walls, -walls, 0}, {p.tank.length + walls, p.tank.height + walls, 0});
 }
 
 std::unique_ptr<Simulation> make_simulation(const Parameters& p, double sample_interval) {

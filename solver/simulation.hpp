@@ -69,7 +69,7 @@ void apply_preset(Parameters& parameters, const std::string& preset);
 /// Throws BadParameters where the parameters don't fit together (a length that is no whole number of spacings ...).
 void check_parameters(const Parameters& parameters);
 
-/// Greatest displacement of the tank on each axis [m].
+/// No point of the tank, wall particles included, is ever displaced by more on each axis [m].
 Double3 motion_extent(const Parameters& parameters);
 
 }  // namespace seiche

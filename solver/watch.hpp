@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/motion.hpp"
@@ -15,7 +16,8 @@ template <int D>
 class Watch {
  public:
   Watch(const Parameters& p, const Motion& motion)
-      : speed_limit_(10 * (std::sqrt(2 * p.gravity * Box<D>(p).diagonal()) + motion.fastest())), cap_(step_cap(p)) {}
+      : speed_limit_(10 * (std::sqrt(2 * p.gravity * Box<D>(p).diagonal()) + motion.fastest(reach(p)))),
+        cap_(step_cap(p)) {}
 
   /// Greatest speed of the fluid [m/s]. Throws when one isn't finite, or beyond 10 (sqrt(2 g D) + tank speed), D the
   /// tank's diagonal: ten times what a free fall through the whole tank gives.
@@ -68,6 +70,12 @@ class Watch {
   }
 
  private:
+  /// From the pivot to the farthest corner [m].
+  static double reach(const Parameters& p) {
+    const auto farther = [](double at, double size) { return std::max(std::abs(at), std::abs(size - at)); };
+    return std::hypot(farther(p.motion.pivot_x, p.tank.length), farther(p.motion.pivot_y, p.tank.height));
+  }
+
   template <class F>
   static int first(const State<D>& s, F bad) {
     int found = -1;

@@ -8,24 +8,29 @@
 namespace seiche::solver {
 
 /// Weights of columns about a gauge at x along one axis, both in l0: a smooth local fit to their heights,
-///   K(q) = (a - b q^2) W(q/B)/B,   W = KF4 of support 2, B = 3, q the distance in l0,
+///   K(q) = (a - b q^2) W(q/3), W = KF4 of support 2, q the distance in l0,
 /// a and b such that K has the moments 1, 0 and -1/3: the last takes back what the width of W in the fluid fraction
-/// added (its second moment, 1/3), so that heights up to a cubic in x are exact. W has the moments B^2/3 and 3/10 B^4.
-/// Beyond the ends of the row columns go on as in a mirror.
+/// added (its second moment, 1/3), so that surfaces up to a parabola are exact. Beyond the ends of the row columns go
+/// on as in a mirror.
 inline Scalars gauge_weights(double x, int columns) {
-  const double wide = 3, m2 = wide * wide / 3, m4 = 0.3 * std::pow(wide, 4);
-  const double b = (m2 + 1. / 3) / (m4 - m2 * m2), a = 1 + b * m2;
-  Scalars weights(columns, 0);
-  double sum = 0;
+  const double wide = 3;
   const int reach = static_cast<int>(2 * wide), first = static_cast<int>(std::floor(x)) - reach;
+  const auto distance = [&](int i) { return std::abs(i + 0.5 - x); };
+  const auto w = [&](int i) { return KF4{2}(distance(i) / wide); };
+  double m0 = 0, m2 = 0, m4 = 0;
   for (int i = first; i <= first + 2 * reach + 1; ++i) {
-    const double q = std::abs(i + 0.5 - x), weight = (a - b * q * q) * KF4{2}(q / wide);
+    const double q2 = distance(i) * distance(i);
+    m0 += w(i);
+    m2 += w(i) * q2;
+    m4 += w(i) * q2 * q2;
+  }
+  const double b = (m2 + m0 / 3) / (m4 * m0 - m2 * m2), a = (1 + b * m2) / m0;
+  Scalars weights(columns, 0);
+  for (int i = first; i <= first + 2 * reach + 1; ++i) {
     int column = i;
     while (column < 0 || column >= columns) column = column < 0 ? -1 - column : 2 * columns - 1 - column;
-    weights[column] += weight;
-    sum += weight;
+    weights[column] += (a - b * distance(i) * distance(i)) * w(i);
   }
-  for (double& weight : weights) weight /= sum;
   return weights;
 }
 

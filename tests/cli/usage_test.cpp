@@ -93,6 +93,24 @@ TEST(Usage, EachBadSceneExitsWith2AndNamesTheFault) {
             "y.toml: there is no such file; did you mean 'x.toml'?\n");
 }
 
+TEST(Usage, ABadMotionFileIsRefusedBeforeAnythingIsWritten) {
+  const Scratch scratch;
+  write_text(scratch / "x.toml", "[motion]\ntype = \"file\"\nfile = \"m.csv\"\n");
+  write_text(scratch / "m.csv", "t [s],roll [deg]\n0,0\n0.1,\n");
+  for (const std::string verb : {"run", "check"}) {
+    const Result result = seiche(scratch.folder(), {verb, "x.toml"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err, "m.csv:3: roll [deg] is missing; expected a number in each cell\n");
+  }
+  write_text(scratch / "m.csv", "t [s],roll [deg]\n0,0\n1,1\n2,0\n3,1\n");
+  const Result result = seiche(scratch.folder(), {"run", "x.toml", "--end", "3.5"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_NE(result.err.find("x.toml: motion.file holds the motion from 0 to 3 s, the run needs 0 to 3.5 s"),
+            std::string::npos)
+      << result.err;
+  EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
+}
+
 TEST(Usage, CheckSummarisesAGoodScene) {
   const Scratch scratch;
   const Result result = seiche(scratch.folder(), {"check", quick});

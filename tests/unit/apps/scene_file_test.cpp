@@ -68,7 +68,8 @@ TEST(SceneFile, AKeyInTheWrongSectionIsSentToItsOwn) {
 
 TEST(SceneFile, AKeyLikeNoOtherGetsTheWholeList) {
   EXPECT_EQ(errors_of("[motion]\nxyz = 1\n"),
-            "x.toml:2:1: [motion] xyz is no key of a scene; expected one of type, amplitude, frequency, start, "
+            "x.toml:2:1: [motion] xyz is no key of a scene; expected one of type, amplitude, frequency, phase, ramp, "
+            "file, pivot_x, pivot_y, start, "
             "harmonic");
 }
 

@@ -32,6 +32,12 @@ TEST(SceneText, ExplainsEachKeyOnItsLine) {
       std::string::npos);
 }
 
+TEST(SceneText, EscapesWhatTomlNeedsEscaped) {
+  Scene scene;
+  scene.parameters.motion.file = "a \"b\"\\c\td.csv";
+  EXPECT_EQ(parse_scene(scene_text(scene), "x.toml", {}).parameters.motion.file, scene.parameters.motion.file);
+}
+
 TEST(SceneHash, IgnoresCommentsAndOrder) {
   const Scene a = parse_scene("# one\ngravity = 9.8\n[tank]\nheight = 0.5\nlength = 1\n", "x.toml", {});
   const Scene b = parse_scene("gravity = 9.80\n[tank]\nlength = 1.0 # metre\nheight = 0.5\n", "y.toml", {});

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <numbers>
 
 #include "render/outputs.hpp"
 #include "render/painter.hpp"
@@ -219,6 +220,34 @@ TEST(Pictures, TankMovesInTheLabAndStandsInItsOwnFrame) {
   const std::array<int, 4> wall{128, 132, 138, 255};
   EXPECT_NEAR(count(drawn.at(0), wall, 2), count(drawn.at(1), wall, 2), 0.1 * count(drawn.at(0), wall, 2) + 100)
       << "nothing of the tank is cut off";
+}
+
+TEST(Pictures, TankRollsInTheLabAboutItsPivot) {
+  Look look = small();
+  look.show_clock = false;
+  auto rolled = std::make_shared<Frame>(*test::lattice(box, 0));
+  rolled->pose.roll = std::numbers::pi;
+  rolled->pose.pivot = {box.length / 2, box.height / 2, 0};
+  const std::vector<FramePtr> frames{test::lattice(box, 0), rolled};
+  auto drawn = draw(look, frames).images;
+  EXPECT_EQ(drawn.at(0).rgba, drawn.at(1).rgba) << "nothing turns in the tank's own frame";
+  look.view = "lab";
+  drawn = draw(look, frames).images;
+  // Upside down about its middle the closed tank covers what it covered, and the liquid is at the top.
+  const std::array<int, 4> wall{128, 132, 138, 255};
+  EXPECT_NEAR(count(drawn.at(0), wall, 2), count(drawn.at(1), wall, 2), 0.1 * count(drawn.at(0), wall, 2) + 100);
+  const auto mean_row = [&](const Image& image) {
+    double sum = 0, marks = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const std::uint8_t* pixel = &image.rgba[4 * (y * image.width + x)];
+        if (pixel[0] == 255 && pixel[1] == 88 && pixel[2] == 24) sum += y, ++marks;
+      }
+    return sum / marks;
+  };
+  // The free surface lies at half the tank's height in both; its marks must not have moved by more than a spacing.
+  EXPECT_NEAR(mean_row(drawn.at(0)), mean_row(drawn.at(1)), 8);
+  EXPECT_NE(drawn.at(0).rgba, drawn.at(1).rgba);
 }
 
 TEST(Pictures, TakeFramesWithNanAndWithoutParticles) {

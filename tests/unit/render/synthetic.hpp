@@ -61,6 +61,7 @@ inline FramePtr lattice(const Box& box, double slope, long index = 0) {
   frame->index = index;
   frame->step = 10 * index;
   frame->time = 0.02 * static_cast<double>(index);
+  frame->pose.pivot = {box.length / 2, 0.1, 0};
   frame->pose.displacement = {0.02 * std::sin(6.28 * frame->time), 0, 0};
   return frame;
 }

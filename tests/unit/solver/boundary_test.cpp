@@ -60,7 +60,8 @@ TYPED_TEST(Boundary, ALoneDropHasLessSurfacePressureThanAFlatSurface) {
   s.kind[3] = Kind::wall;
   Scalars n(s.size(), 0.5);
   n[0] = 9;
-  set_surface_pressure(1000, l0, 2, n, s);
+  const Vecs<D> force(s.size(), Vec<D>(10 * Vec<D>::Unit(0)));
+  set_surface_pressure(100, force, l0, 2, n, s);
   EXPECT_DOUBLE_EQ(s.pressure[0], 0.5 * l0 * 1000) << "dense: as below a flat surface";
   EXPECT_DOUBLE_EQ(s.pressure[1], 0.5 * l0 * 1000 * 0.25) << "in proportion";
   EXPECT_EQ(s.pressure[2], 77) << "not at the surface";
@@ -78,7 +79,7 @@ TYPED_TEST(Boundary, DensityBelowAFlatSurfaceIsWhatAStillTankHas) {
 TYPED_TEST(Boundary, WallsOfStillWaterReadItsPressure) {
   constexpr int D = TypeParam::D;
   StillTank<D> tank;
-  extend_to_walls(tank.w, tank.slope, tank.list, tank.s);
+  extend_to_walls(tank.w, tank.everywhere(), tank.list, tank.s);
   for (int beside : {0, 1}) {
     Vec<D> r = Vec<D>::Constant(0.065);
     r[1 - beside] = -0.5 * l0;  // the floor, then the left wall

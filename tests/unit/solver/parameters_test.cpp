@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "solver/simulation.hpp"
 
 namespace seiche {
@@ -68,6 +70,54 @@ TEST(CheckParameters, WantsAWaveToHaveTheWholeTankAndToBeLongEnough) {
 
 TEST(CheckParameters, WantsAShiftOnlyWhereItIsApplied) {
   expect_refused([](Parameters& p) { p.method.order = "move-first"; }, {"method.shift", "project-first"});
+}
+
+TEST(CheckParameters, WantsWhatTheMotionNeedsAndNothingThatItIgnores) {
+  expect_refused([](Parameters& p) { p.motion.type = "yaw"; }, {"motion.type = 'yaw'", "harmonics, file"});
+  expect_refused([](Parameters& p) { p.motion.type = "harmonics"; },
+                 {"motion.type = harmonics", "[[motion.harmonic]]"});
+  expect_refused(
+      [](Parameters& p) {
+        p.motion.type = "surge";
+        p.motion.harmonics.resize(1);
+      },
+      {"motion.type = surge ignores [[motion.harmonic]]"});
+  expect_refused(
+      [](Parameters& p) {
+        p.motion.type = "harmonics";
+        p.motion.harmonics = {{"sway", 1, 1, 0}};
+      },
+      {"of = 'sway'", "surge, heave, roll"});
+  expect_refused([](Parameters& p) { p.motion.type = "file"; }, {"motion.type = file needs motion.file"});
+  expect_refused(
+      [](Parameters& p) {
+        p.motion.type = "roll";
+        p.motion.file = "a.csv";
+      },
+      {"motion.type = roll ignores motion.file"});
+  Parameters p;  // A tank at rest for once keeps what moves it otherwise.
+  p.motion.harmonics.resize(1);
+  p.motion.file = "a.csv";
+  EXPECT_NO_THROW(check_parameters(p));
+}
+
+TEST(CheckParameters, WantsASeriesThatIsWholeAndAsLongAsTheRun) {
+  Parameters p;
+  p.time.end = 3;
+  p.motion = {.type = "file", .series = {{0, 1, 2, 3}, {}, {}, {0, 1, 0, 1}}};
+  EXPECT_NO_THROW(check_parameters(p));
+  const auto refused = [&](Parameters::TimeSeries series, double end) {
+    Parameters bad = p;
+    bad.motion.series = series;
+    bad.time.end = end;
+    EXPECT_THROW(check_parameters(bad), BadParameters);
+  };
+  refused(p.motion.series, 3.1);
+  refused({{0.1, 1, 2, 3}, {}, {}, {0, 1, 0, 1}}, 3);
+  refused({{0, 1, 1, 3}, {}, {}, {0, 1, 0, 1}}, 3);
+  refused({{0, 1, 2, 3}, {}, {}, {0, 1, 0}}, 3);
+  refused({{0, 1, 2, 3}, {}, {}, {0, 1, 0, std::nan("")}}, 3);
+  refused({{0, 1, 3}, {}, {}, {0, 1, 0}}, 3);
 }
 
 TEST(CheckParameters, LimitsTheNumberOfParticles) {

@@ -29,6 +29,14 @@ TEST(SensorColumns, OfAListInItsOrder) {
   EXPECT_EQ(sensor_columns(p), (Names{"p_roof [Pa]", "p_floor [Pa]", "eta_mid [m]"}));
 }
 
+TEST(SensorColumns, EndWithTheMotion) {
+  Parameters p;
+  p.motion.type = "surge";
+  p.motion.amplitude = 0.01;
+  p.motion.frequency = 1;
+  EXPECT_EQ(sensor_columns(p).back(), "surge [m]");
+}
+
 TEST(SensorsOf, DefaultsStandMidwayAcross) {
   Parameters p;
   p.tank.width = 0.3;
@@ -68,10 +76,10 @@ TEST(CheckSensors, WantsPressureSensorsInsideTheTank) {
 TEST(CheckSensors, WantsPressureSensorsOnAWallAndSaysWhereOneIs) {
   expect_refused(with_pressure(0.1, 0.15), {"(0.1, 0.15) m", "not on a wall", "(0, 0.15) m"});
   expect_refused(with_pressure(0.3, 0.39), {"(0.3, 0.4) m"});
-  Parameters open = with_pressure(0.3, 0.4);
+  Parameters open = with_pressure(0.4, 0.4);
   EXPECT_NO_THROW(check_parameters(open));
   open.tank.closed = false;
-  expect_refused(open, {"not on a wall", "(0, 0.4) m"});
+  expect_refused(open, {"not on a wall", "the nearest point of one is (0.6, 0.4) m"});
   Parameters wide = with_pressure(0.3, 0.2, 0.1);
   wide.tank.width = 0.1;
   EXPECT_NO_THROW(check_parameters(wide));

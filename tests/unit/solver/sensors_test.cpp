@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "solver/simulation.hpp"
 #include "tests/unit/solver/still_tank.hpp"
@@ -105,6 +106,8 @@ TEST_F(SampledTank, HasNoReadingsWithoutAnInterval) {
 TEST_F(SampledTank, HasAValueForEveryColumnAndNoOther) {
   p.sensors.pressure = {{"a", 0, 0.02, 0, 0.01}, {"b", 0.1, 0, 0, 0}};
   p.sensors.gauge = {{"a", 0.04, 0}};
+  const std::map<std::string, double> still{{"p_a [Pa]", 9810 * 0.08}, {"p_b [Pa]", 981},   {"force_y [N/m]", -196.2},
+                                            {"volume [m^2]", 0.02},    {"x_mass [m]", 0.1}, {"y_mass [m]", 0.05}};
   for (int off = 0; off < 8; ++off) {
     p.sensors.force = off & 1;
     p.sensors.energy = off & 2;
@@ -115,12 +118,10 @@ TEST_F(SampledTank, HasAValueForEveryColumnAndNoOther) {
     const auto names = sensor_columns(p);
     ASSERT_EQ(readings.values.size(), names.size()) << off;
     for (std::size_t k = 0; k < names.size(); ++k) {
-      if (names[k] == "p_a [Pa]") EXPECT_NEAR(readings.values[k], 9810 * 0.08, 1e-8);
-      if (names[k] == "p_b [Pa]") EXPECT_NEAR(readings.values[k], 981, 1e-8);
-      if (names[k] == "force_y [N/m]") EXPECT_NEAR(readings.values[k], -196.2, 1e-8);
-      if (names[k] == "volume [m^2]") EXPECT_NEAR(readings.values[k], 0.02, 1e-12);
-      if (names[k] == "x_mass [m]") EXPECT_NEAR(readings.values[k], 0.1, 1e-12);
-      if (names[k] == "y_mass [m]") EXPECT_NEAR(readings.values[k], 0.05, 1e-12);
+      const auto expected = still.find(names[k]);
+      if (expected != still.end()) {
+        EXPECT_NEAR(readings.values[k], expected->second, 1e-8) << names[k];
+      }
     }
   }
 }

@@ -33,7 +33,7 @@ TYPED_TEST(Snapshot, HasEveryArrayInTheOrderOfTheIds) {
   EXPECT_EQ(frame->free_surface, (std::vector<std::uint8_t>{0, 0, 1, 0}));
   EXPECT_EQ(frame->time, 0.125);
   EXPECT_EQ(frame->step, 9);
-  EXPECT_EQ(frame->pose.displacement[0], motion.displacement(0.125));
+  EXPECT_EQ(frame->pose.displacement[0], motion.surge(0.125).value);
   const State<D> made = test::random_cloud<D>(5, 1, 2);
   for (std::size_t k = 0; k < frame->size(); ++k) {
     const Vec<D>& r = made.position[frame->id[k]];

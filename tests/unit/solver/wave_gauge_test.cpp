@@ -47,32 +47,33 @@ TYPED_TEST(WaveGaugeOf, ReadsASlopeAtItsOwnPlace) {
   this->tank.each_fluid([](Vec<D>& r, double&) { r[1] += 0.2 * (r[0] - 0.1); });
   for (double x : {0.07, 0.1, 0.1025, 0.13})
     EXPECT_NEAR(this->level(x), 0.1 + 0.2 * (x - 0.1), 0.05 * l0) << "x = " << x;
-  // At the walls the mirror bends the surface within reach, by 0.66 l0 of its slope.
-  for (double x : {0., 0.2}) EXPECT_NEAR(this->level(x), 0.1 + 0.2 * (x - 0.1), 0.2 * 0.7 * l0) << "x = " << x;
+  // At the walls the mirror bends the surface: it reads 0.7 l0 of its slope towards the middle.
+  for (double x : {0., 0.2}) EXPECT_NEAR(this->level(x), 0.1 + 0.2 * (x - 0.1), 0.2 * 0.75 * l0) << "x = " << x;
 }
 
 // Standing waves of length 20 l0: crest or trough at the walls and half-way.
 TYPED_TEST(WaveGaugeOf, KeepsAWaveOfTwentySpacings) {
   constexpr int D = TypeParam::D;
   const double a = l0;
-  this->tank.each_fluid([&](Vec<D>& r, double&) { r[1] *= 1 + a / 0.1 * std::cos(2 * std::numbers::pi * r[0] / 0.2); });
+  this->tank.each_fluid([&](Vec<D>& r, double&) { r[1] += a * std::cos(2 * std::numbers::pi * r[0] / 0.2); });
   for (double x : {0., 0.05, 0.1, 0.15, 0.2})
     EXPECT_NEAR(this->level(x), 0.1 + a * std::cos(2 * std::numbers::pi * x / 0.2), 0.05 * l0) << "x = " << x;
 }
 
+// Particles that scatter each for itself: what the averaging gains, two of the three gauges being at a wall.
 TYPED_TEST(WaveGaugeOf, ScattersLessThanItsColumns) {
   constexpr int D = TypeParam::D;
   std::mt19937_64 random(3);
   double gauges = 0, columns = 0;
   for (int k = 0; k < 10; ++k) {
-    this->tank = {};
+    this->tank = SensedTank<D>();
     this->tank.each_fluid([&](Vec<D>& r, double&) { r += 0.25 * l0 * test::random_vec<D>(random, -1, 1); });
     SurfaceProfile<D> surface(this->tank.p);
     surface.find(this->tank.s, this->tank.cells());
     for (double x : {0., 0.1, 0.2}) gauges += std::pow(this->level(x) - 0.1, 2) / 30;
     for (int c = 0; c < 20; ++c) columns += std::pow(surface.height(c) - 0.1, 2) / 200;
   }
-  EXPECT_LT(gauges, 0.5 * columns) << std::sqrt(gauges) / l0 << " of " << std::sqrt(columns) / l0;
+  EXPECT_LT(gauges, 0.8 * columns) << std::sqrt(gauges) / l0 << " of " << std::sqrt(columns) / l0;
 }
 
 TYPED_TEST(WaveGaugeOf, NeverLeavesWhatItsColumnsShow) {
@@ -81,7 +82,9 @@ TYPED_TEST(WaveGaugeOf, NeverLeavesWhatItsColumnsShow) {
   this->tank.each_fluid([](Vec<D>& r, double&) { r[0] = std::min(r[0], 0.105); });
   for (double x : places) {
     EXPECT_GE(this->level(x), 0) << "x = " << x;
-    if (x >= 0.19) EXPECT_EQ(this->level(x), 0) << "x = " << x;
+    if (x >= 0.19) {
+      EXPECT_EQ(this->level(x), 0) << "x = " << x;
+    }
   }
 }
 
@@ -92,9 +95,9 @@ TEST(GaugeWeights, HaveTheMomentsOfASmoothFit) {
     for (int i = 0; i < 40; ++i)
       for (int k = 0; k < 4; ++k) moment[k] += weights[i] * std::pow(i + 0.5 - x, k);
     EXPECT_NEAR(moment[0], 1, 1e-12);
-    EXPECT_NEAR(moment[1], 0, 1e-3);
-    EXPECT_NEAR(moment[2], -1. / 3, 5e-3);
-    EXPECT_NEAR(moment[3], 0, 2e-2);
+    EXPECT_NEAR(moment[1], 0, 1e-12);
+    EXPECT_NEAR(moment[2], -1. / 3, 1e-12);
+    EXPECT_NEAR(moment[3], 0, 0.03);
   }
 }
 
