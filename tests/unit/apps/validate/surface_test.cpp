@@ -5,7 +5,11 @@
 namespace seiche::validate {
 namespace {
 
-TEST(Stations, AreTheMiddlesOfEqualParts) { EXPECT_EQ(stations(0.6, 3), (std::vector<double>{0.1, 0.3, 0.5})); }
+TEST(Stations, AreTheMiddlesOfEqualParts) {
+  const std::vector<double> x = stations(0.6, 3);
+  ASSERT_EQ(x.size(), 3u);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(x[i], 0.1 + 0.2 * i, 1e-12);
+}
 
 TEST(Surface, ComesFromTheGaugesAtTheStations) {
   Recording recording;
