@@ -26,7 +26,7 @@ Jet Course::at(double t) const {
     sum.rate += term.amplitude * term.omega * std::cos(angle);
     sum.acceleration -= term.omega * term.omega * value;
   }
-  if (t >= ramp_) return sum;
+  if (ramp_ <= 0 || t >= ramp_) return sum;
   const Jet step = smooth_step(t, ramp_);
   return {step.value * sum.value, step.value * sum.rate + step.rate * sum.value,
           step.value * sum.acceleration + 2 * step.rate * sum.rate + step.acceleration * sum.value};

@@ -21,19 +21,19 @@ double centre(const Frame& frame) {
   return sum / n;
 }
 
-// The centre of mass moves by 8 mm in a wave of 1.5 cm.
+// The centre of mass moves by 3.7 mm, less than a spacing. It is off by 3 % of that; by 9 % at a spacing of 10 mm, and
+// there by 3 % where the tank rolls by 2 degrees.
 TEST(Rolling, FollowsPotentialTheory) {
-  const Parameters p = rolling(0.01);
+  const Parameters p = rolling(0.005);
   const RollTheory theory(p);
   const auto simulation = make_simulation(p, 0);
   double error = 0, greatest = 0;
-  run(*simulation, 0.05, 1.5, [&](const Frame& frame) {
+  run(*simulation, 0.05, 1.2, [&](const Frame& frame) {
     const double exact = theory.centre(frame.time);
     error = std::max(error, std::abs(centre(frame) - 0.5 * p.tank.length - exact));
     greatest = std::max(greatest, std::abs(exact));
-    std::printf("%.2f %.6f %.6f\n", frame.time, centre(frame) - 0.5 * p.tank.length, exact);
   });
-  EXPECT_LT(error, 0.03 * greatest);
+  EXPECT_LT(error, 0.04 * greatest);
   EXPECT_EQ(simulation->statistics().leaked, 0);
 }
 
@@ -59,8 +59,7 @@ double start_error(Parameters p, double pivot_x, double pivot_y) {
 TEST(Rolling, ImpulsiveStartConvergesToPotentialTheory) {
   for (const auto& [x, y] : {std::pair{0.3, 0.05}, {0.1, 0.3}}) {
     const double coarse = start_error(rolling(0.02), x, y), fine = start_error(rolling(0.01), x, y);
-    std::printf("%g %g\n", coarse, fine);
-    EXPECT_LT(fine, 0.1);
+    EXPECT_LT(fine, 0.05);
     EXPECT_GT(std::log2(coarse / fine), 0.5);  // As for a surge, the upper corners are singular.
   }
 }

@@ -21,13 +21,13 @@ std::string error_of(const std::string& text) {
 }
 
 TEST(MotionFile, HasItsColumnsInAnyOrderAndWithAnySpaces) {
-  for (const std::string& text : {good,
-                                  "\xef\xbb\xbfroll [deg] , t [s],surge [m]\r\n0,0,0\r\n -2 ,0.1,0.01\r\n"
-                                  "0.1,0.2,0.02\r\n0,0.35,0.01\r\n\r\n\n"}) {
+  for (const std::string& text :
+       {good, std::string("\xef\xbb\xbfroll [deg] , t [s],surge [m]\r\n0,0,0\r\n -2 ,0.1,0.01\r\n"
+                          "0.1,0.2,0.02\r\n0,0.35,0.01\r\n\r\n\n")}) {
     const Parameters::TimeSeries series = parse_motion(text, "m.csv");
-    EXPECT_EQ(series.time, (std::vector{0, 0.1, 0.2, 0.35}));
-    EXPECT_EQ(series.surge, (std::vector{0, 0.01, 0.02, 0.01}));
-    EXPECT_EQ(series.roll, (std::vector{0, -2, 0.1, 0}));
+    EXPECT_EQ(series.time, (std::vector<double>{0, 0.1, 0.2, 0.35}));
+    EXPECT_EQ(series.surge, (std::vector<double>{0, 0.01, 0.02, 0.01}));
+    EXPECT_EQ(series.roll, (std::vector<double>{0, -2, 0.1, 0}));
     EXPECT_TRUE(series.heave.empty());
   }
 }

@@ -102,5 +102,21 @@ TEST_P(SimulationIn, TheImpulsiveStartOfThePaperIsTheTanksVelocity) {
   }
 }
 
+TEST_P(SimulationIn, TheImpulsiveStartOfARollTurnsAboutThePivot) {
+  Parameters p = surging(GetParam());
+  apply_preset(p, "paper");
+  p.motion = {.type = "roll", .amplitude = 3, .frequency = 2, .pivot_x = 0.03, .pivot_y = -0.02};
+  const auto simulation = make_simulation(p, 0);
+  const FramePtr frame = simulation->frame(0);
+  const double rate = 3 * std::numbers::pi / 180 * 2 * std::numbers::pi * 2;
+  EXPECT_NEAR(frame->pose.roll_rate, rate, 1e-12);
+  for (std::size_t k = 0; k < frame->size(); ++k) {
+    if (frame->kind[k] != Kind::fluid) continue;
+    EXPECT_NEAR(frame->velocity[k][0], rate * (frame->position[k][1] + 0.02), 1e-6);
+    EXPECT_NEAR(frame->velocity[k][1], -rate * (frame->position[k][0] - 0.03), 1e-6);
+    EXPECT_EQ(frame->velocity[k][2], 0);
+  }
+}
+
 }  // namespace
 }  // namespace seiche

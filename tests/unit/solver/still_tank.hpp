@@ -32,7 +32,7 @@ struct StillTank {
   std::vector<int> count = std::vector<int>(s.size());
   std::vector<std::uint8_t> near = std::vector<std::uint8_t>(s.size());
   Vec<D> slope = -p.fluid.density * p.gravity * Vec<D>::Unit(1);
-  Vecs<D> slopes;
+  mutable Vecs<D> slopes;
 
   explicit StillTank(const Parameters& parameters = small_tank<D>()) : p(parameters) { find_surface(); }
 
@@ -47,11 +47,11 @@ struct StillTank {
 
   PaperBoundary<D> paper() const { return {s}; }
   /// The slope at each particle.
-  const Vecs<D>& everywhere() {
+  const Vecs<D>& everywhere() const {
     slopes.assign(s.size(), slope);
     return slopes;
   }
-  GhostBoundary<D> ghost() { return {s, n, near, ref.n0, ref.n0, everywhere()}; }
+  GhostBoundary<D> ghost() const { return {s, n, near, ref.n0, ref.n0, everywhere()}; }
   template <class Boundary>
   PressureSystem<D> system(const Boundary& boundary, double diagonal = 0) const {
     PressureSystem<D> system;
