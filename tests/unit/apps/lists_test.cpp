@@ -15,6 +15,7 @@ namespace seiche::apps {
 namespace {
 
 const char* sensors =
+    "[tank]\nlength = 1\nwidth = 2\n"
     "[sensors]\nenergy = false\n[[sensors.gauge]]\nname = \"mid\"\nx = 0.3\n[[sensors.pressure]]\nname = \"p1\"\n"
     "y = 0.1\nside = 0.02\n[[sensors.gauge]]\nname = \"right\"\nx = 1\n[[motion.harmonic]]\nof = \"roll\"\n"
     "amplitude = 2.5\nfrequency = 0.5\nphase = -90\n";
