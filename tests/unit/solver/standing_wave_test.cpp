@@ -16,7 +16,8 @@ Parameters tank_with_wave(int mode) {
 }
 
 TEST(StandingWave, HasTheElevationsAmplitude) {
-  // k = pi/0.6, omega^2 = 9.81 k tanh(0.2 k), omega = 6.3325688/s (1.00786 Hz): the surface rises at A omega at the left wall.
+  // k = pi/0.6, omega^2 = 9.81 k tanh(0.2 k), omega = 6.3325688/s (1.00786 Hz): the surface rises at A omega at the
+  // left wall.
   const StandingWave wave(tank_with_wave(1));
   EXPECT_NEAR(wave.velocity<2>({0, 0.2})[1], 0.004 * 6.3325688, 1e-7);
   EXPECT_NEAR(wave.velocity<2>({0.6, 0.2})[1], -0.004 * 6.3325688, 1e-7);
