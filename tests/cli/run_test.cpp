@@ -61,7 +61,7 @@ TEST(Run, TheQuickSceneWritesEverything) {
   const std::string csv = read_file(out / "probes.csv");
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "t [s],p_left_bottom [Pa],eta_left [m],eta_right [m],force_x [N/m],force_y [N/m],moment [N m/m],"
-            "kinetic_energy [J/m],potential_energy [J/m],volume [m^2],x_mass [m],y_mass [m]");
+            "kinetic_energy [J/m],potential_energy [J/m],volume [m^2],x_mass [m],y_mass [m],surge [m]");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1002) << "a header, then 0 to 1 s at 1 kHz";
 
   const nlohmann::json report = nlohmann::json::parse(read_file(out / "run.json"));
