@@ -140,7 +140,9 @@ void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look
   const double radius = half * (1 + 0.5 * closed);
   if (look.show_walls) {
     const bool square = closed > 0;
-    dummy_ = discs({.radius = half, .layer = -2, .square = square});
+    // Squares stay upright; where the tank may roll they overlap, lest gaps show between them up to 10 degrees.
+    const double overlap = look.view == "lab" ? 1.16 : 1;
+    dummy_ = discs({.radius = half * overlap, .layer = -2, .square = square});
     wall_ = discs({.radius = half, .layer = -1, .square = square});
   }
   fluid_ = discs({.radius = radius, .edge = 0.8 / (1 + 0.5 * closed), .shade = shade});
