@@ -14,6 +14,7 @@
 #include "apps/run.hpp"
 #include "apps/run_info.hpp"
 #include "apps/scene_file.hpp"
+#include "apps/validate/validate.hpp"
 #include "render/outputs.hpp"
 
 namespace seiche::apps {
@@ -88,6 +89,23 @@ void add_kernels(CLI::App& app, std::string& picture) {
   });
 }
 
+void add_validate(CLI::App& app, validate::Request& request, int& code) {
+  CLI::App* verb = app.add_subcommand("validate", "Compare runs with theory, experiment and other codes")
+                       ->group("Verbs")
+                       ->footer(help::validate_footer);
+  verb->add_option("scenes", request.scenes, "folder of scenes; the program's own if left out")->type_name("SCENES");
+  verb->add_option("-o,--output", request.folder, "folder for everything written; out/validate if left out")
+      ->type_name("DIR");
+  verb->add_option("--only", request.only, "run only these cases")->delimiter(',')->type_name("CASE[,CASE]");
+  verb->add_option("--threads", request.threads, "threads to compute with; one per core if left out")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  verb->add_flag("--quick", request.quick, "coarse runs only");
+  verb->add_flag("--list", request.list, "name the cases, and run nothing");
+  verb->add_flag("--overwrite", request.overwrite, "replace an earlier table in the folder");
+  verb->callback([&request, &code] { code = validate::validate(request, validate::all_cases()); });
+}
+
 // CLI11 says only that a verb is required where one is misspelt.
 std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   std::string what = error.what();
@@ -107,6 +125,7 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
 int parse(int argc, char** argv) {
   int code = done;
   RunRequest request;
+  validate::Request validation;
   std::string checked, picture;
   CLI::App app(help::program, "seiche");
   app.get_formatter()->label("SUBCOMMAND", "VERB");
@@ -118,6 +137,7 @@ int parse(int argc, char** argv) {
   add_check(app, checked);
   add_info(app);
   add_kernels(app, picture);
+  add_validate(app, validation, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -12,6 +12,7 @@ constexpr const char* program_footer = R"(Examples:
   seiche run scenes/quick.toml --dry-run  show every key of the scene, with its value, unit and range
   seiche check scenes/quick.toml          look for mistakes, and say what would be simulated
   seiche kernels -o kernels.png           draw the kernel functions
+  seiche validate --quick                 compare runs with theory and experiment
 
 A run of NAME.toml writes, under out/NAME/ or the folder of -o:
   NAME.mp4              the movie
@@ -21,7 +22,8 @@ A run of NAME.toml writes, under out/NAME/ or the folder of -o:
   run.json              parameters, steps, timings, how the run ended
 
 Exit codes:
-  0 done   1 the run failed   2 wrong usage or scene   4 no OpenGL   5 no encoder   130 interrupted
+  0 done   1 the run failed   2 wrong usage or scene   3 a comparison is over its threshold
+  4 no OpenGL   5 no encoder   130 interrupted
 
 Each verb has its own --help.)";
 
@@ -46,5 +48,17 @@ constexpr const char* info_footer = R"(Examples:
 constexpr const char* kernels_footer = R"(Examples:
   seiche kernels
   seiche kernels -o kernels.png)";
+
+constexpr const char* validate_footer = R"(Examples:
+  seiche validate --quick                  coarse runs, in minutes
+  seiche validate                          all, within the hour
+  seiche validate --only roll,dam-break
+  seiche validate --list
+
+Writes, under out/validate/ or the folder of -o:
+  table.md, table.csv   each figure with its value, target and verdict
+  figures.png           runs and references, drawn
+Exits with 3 if a figure misses its target, with 1 if a run failed that should not.
+The scenes are those that came with the program; another folder of them needs its reference/ too.)";
 
 }  // namespace seiche::apps::help

@@ -65,6 +65,9 @@ const std::vector<Option>& options() {
       {"fluid", "depth", "m", AT(parameters.fluid.depth), Range{0, huge, true}, "still level above the floor"},
       {"fluid", "column", "m", AT(parameters.fluid.column), Range{0, huge},
        "length of the liquid from the left wall, for a dam break; 0: the whole tank"},
+      {"fluid", "wave_amplitude", "m", AT(parameters.fluid.wave_amplitude), Range{0, huge},
+       "of a standing wave that the liquid starts in, its surface flat; 0: none"},
+      {"fluid", "wave_mode", "", AT(parameters.fluid.wave_mode), Range{1, 1000}, "half waves of it along the tank"},
 
       {"tank", "length", "m", AT(parameters.tank.length), Range{0, huge, true}, "inner, along x"},
       {"tank", "height", "m", AT(parameters.tank.height), Range{0, huge, true}, "inner, along y"},

@@ -1,12 +1,11 @@
 #include <vtkAxis.h>
-#include <vtkChartLegend.h>
 #include <vtkChartXY.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPen.h>
-#include <vtkPlot.h>
+#include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
@@ -26,6 +25,8 @@
 
 namespace seiche::render {
 namespace {
+
+constexpr Rgb ink{34, 34, 34};
 
 void style_text(vtkTextProperty* text, double size) {
   set_font(text);
@@ -62,6 +63,10 @@ Range extent(const std::vector<Curve>& curves, std::vector<double> Curve::*value
   return rounded(range);
 }
 
+Rgb colour_of(const Curve& curve, std::size_t number) {
+  return curve.mark == Mark::line ? line_colours[number % line_colours.size()] : Rgb{0, 0, 0};
+}
+
 void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t number, double font) {
   vtkNew<vtkDoubleArray> x, y;
   x->SetName("x");
@@ -73,12 +78,36 @@ void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t number, double
   vtkNew<vtkTable> table;
   table->AddColumn(x);
   table->AddColumn(y);
-  vtkPlot* line = chart->AddPlot(vtkChart::LINE);
+  vtkPlot* line = chart->AddPlot(curve.mark == Mark::points ? vtkChart::POINTS : vtkChart::LINE);
   line->SetInputData(table, 0, 1);
-  line->SetLabel(" " + curve.name);  // apart from its line
-  const Rgb colour = line_colours[number % line_colours.size()];
+  const Rgb colour = colour_of(curve, number);
   line->SetColor(colour[0], colour[1], colour[2], 255);
   line->SetWidth(static_cast<float>(font / 7));
+  if (curve.mark == Mark::points) {
+    vtkPlotPoints* points = vtkPlotPoints::SafeDownCast(line);
+    points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+    points->SetMarkerSize(static_cast<float>(0.4 * font));
+  }
+  if (curve.mark == Mark::dashes) line->GetPen()->SetLineType(vtkPen::DASH_LINE);
+}
+
+// One row below the title, since a legend inside a chart covers what waves to and fro.
+void add_legend(Overlay& overlay, const std::vector<Curve>& curves, double middle, double y, double font) {
+  const double sample = 1.8 * font, gap = 0.5 * font, apart = 1.6 * font, thick = font / 7;
+  double width = -apart;
+  for (const Curve& curve : curves) width += sample + gap + text_width(curve.name) * font + apart;
+  double x = middle - 0.5 * width;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const Rgb colour = colour_of(curves[i], i);
+    if (curves[i].mark == Mark::line) overlay.box({x, y - 0.5 * thick, sample, thick}, colour);
+    if (curves[i].mark == Mark::dashes)
+      for (int dash = 0; dash < 5; ++dash)
+        overlay.box({x + 2 * dash * sample / 9, y - 0.5 * thick, sample / 9, thick}, colour);
+    if (curves[i].mark == Mark::points) overlay.ring(x + 0.5 * sample, y, 0, 0.2 * font, colour);
+    x += sample + gap;
+    overlay.text(curves[i].name, x, y, font, Align::left, ink);
+    x += text_width(curves[i].name) * font + apart;
+  }
 }
 
 }  // namespace
@@ -91,13 +120,8 @@ Image draw_curves(const std::vector<Curve>& curves, const std::string& title, co
   for (std::size_t i = 0; i < curves.size(); ++i) add_curve(chart, curves[i], i, inner);
   style_axis(chart->GetAxis(vtkAxis::BOTTOM), extent(curves, &Curve::x), inner);
   style_axis(chart->GetAxis(vtkAxis::LEFT), extent(curves, &Curve::y), inner);
-  chart->SetShowLegend(true);
-  style_text(chart->GetLegend()->GetLabelProperties(), inner);
-  chart->GetLegend()->SetSymbolWidth(static_cast<int>(2.2 * inner));
-  chart->GetLegend()->SetPadding(static_cast<int>(0.4 * inner));
-  chart->GetLegend()->GetPen()->SetOpacity(0);
   // Titles are laid over: the chart's own stand too close to the numbers.
-  const Box room{2.8 * font, 2.8 * font, width - 4.6 * font, height - 5.8 * font};
+  const Box room{2.8 * font, 2.8 * font, width - 4.6 * font, height - 7.4 * font};
   const auto pixels = [](double size) { return static_cast<float>(sharpness * size); };
   chart->SetAutoSize(false);
   chart->SetSize({pixels(room.x), pixels(room.y), pixels(room.width), pixels(room.height)});
@@ -112,8 +136,8 @@ Image draw_curves(const std::vector<Curve>& curves, const std::string& title, co
   renderer->AddActor(actor);
   scene->SetRenderer(renderer);
   Overlay titles(renderer);
-  constexpr Rgb ink{34, 34, 34};
   titles.text(title, width / 2.0, height - 1.6 * font, 1.15 * font, Align::centre, ink);
+  add_legend(titles, curves, room.x + room.width / 2, height - 3.4 * font, font);
   titles.text(x_label, room.x + room.width / 2, 1.6 * font, font, Align::centre, ink);
   titles.text(y_label, 1.6 * font, room.y + room.height / 2, font, Align::centre, ink)
       ->GetTextProperty()

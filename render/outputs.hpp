@@ -65,11 +65,15 @@ std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<Ima
 /// folder/vtu/name_000123.vtu, folder/name.pvd and folder/name.vtu.series, both valid after every frame.
 std::unique_ptr<Sink> vtu_series(const std::filesystem::path& folder);
 
-/// Figure 1 of the paper: the kernels over r/r_e.
+/// How a curve is drawn: runs as lines in colours of their own, what they are compared with in black.
+enum class Mark { line, dashes, points };
+
 struct Curve {
   std::string name;
   std::vector<double> x, y;
+  Mark mark = Mark::line;
 };
+/// A chart with a legend; the ranges take in 0 and end at round numbers.
 Image draw_curves(const std::vector<Curve>& curves, const std::string& title, const std::string& x_label,
                   const std::string& y_label, int width, int height);
 

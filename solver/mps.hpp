@@ -12,6 +12,7 @@
 #include "solver/separation.hpp"
 #include "solver/snapshot.hpp"
 #include "solver/source.hpp"
+#include "solver/standing_wave.hpp"
 #include "solver/watch.hpp"
 
 namespace seiche::solver {

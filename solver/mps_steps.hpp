@@ -26,6 +26,8 @@ Mps<D, K>::Mps(const Parameters& p, K kernel, double sample_interval)
   fluid_at_start_ = totals_.fluid_particles;
   refresh_neighbours();
   find_surface();
+  if (const StandingWave wave(p); p.fluid.wave_amplitude > 0)
+    each_fluid([&](int i) { s_.velocity[i] = wave.velocity<D>(s_.position[i]); });
   if (motion_.jumps()) start_at_rest_in_lab();
   fastest_ = watch_.check_motion(s_);
   sensors_.read(s_);
@@ -266,7 +268,7 @@ template <int D, class K>
 void Mps<D, K>::start_at_rest_in_lab() {
   const double dt = step_cap(p_);
   set_force(start_force<D>(motion_, dt));
-  if (!ghost_walls()) return each_fluid([&](int i) { s_.velocity[i] = dt * force_[i]; });
+  if (!ghost_walls()) return each_fluid([&](int i) { s_.velocity[i] += dt * force_[i]; });
   const Scalars still = s_.pressure;
   std::fill(s_.pressure.begin(), s_.pressure.end(), 0);
   solve_pressure(dt, 0);

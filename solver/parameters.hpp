@@ -15,6 +15,8 @@ struct Parameters {
     double viscosity = 1e-6;  ///< nu, kinematic [m^2/s]
     double depth = 0.2;       ///< still level above the floor [m]
     double column = 0;        ///< length of the liquid from the left wall [m]; 0: the whole tank (a dam break sets it)
+    double wave_amplitude = 0;  ///< of a standing wave that the liquid starts in, its surface flat [m]; 0: none
+    int wave_mode = 1;          ///< half waves of it along the tank
   } fluid;
 
   struct Tank {

@@ -87,5 +87,16 @@ TEST(Signals, AfterAKillTheMovieStillPlays) {
   EXPECT_EQ(report_in(scratch.folder())["run"]["status"], "running");
 }
 
+TEST(Signals, AnInterruptedValidationKeepsWhatItFound) {
+  const Scratch scratch;
+  Program program(scratch.folder(), {"validate", "--quick", "--only", "still-tank"});
+  ASSERT_TRUE(program.wait_for("still-tank: "));
+  program.signal(SIGINT);
+  const Result result = program.wait();
+  EXPECT_EQ(result.code, 130) << result.err;
+  EXPECT_NE(result.out.find("Interrupted. 0 figures"), std::string::npos) << result.out;
+  EXPECT_TRUE(fs::exists(scratch / "out/validate/table.md"));
+}
+
 }  // namespace
 }  // namespace seiche::test

@@ -15,14 +15,15 @@ TEST(Usage, HelpListsVerbsOutputsAndExitCodes) {
   const Scratch scratch;
   const Result result = seiche(scratch.folder(), {"--help"});
   EXPECT_EQ(result.code, 0);
-  for (const char* text : {"run ", "check ", "info ", "kernels ", "probes.csv", "Exit codes:", "Examples:"}) {
+  for (const char* text :
+       {"run ", "check ", "info ", "kernels ", "validate ", "probes.csv", "Exit codes:", "Examples:"}) {
     EXPECT_NE(result.out.find(text), std::string::npos) << text;
   }
 }
 
 TEST(Usage, EachVerbHasItsOwnHelpWithExamples) {
   const Scratch scratch;
-  for (const std::string verb : {"run", "check", "info", "kernels"}) {
+  for (const std::string verb : {"run", "check", "info", "kernels", "validate"}) {
     const Result result = seiche(scratch.folder(), {verb, "--help"});
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.out.find("Examples:\n  seiche " + verb), std::string::npos) << result.out;
@@ -191,6 +192,31 @@ TEST(Usage, KernelsArePrintedOrDrawn) {
   EXPECT_NE(seiche(scratch.folder(), {"kernels"}).out.find("KF5"), std::string::npos);
   EXPECT_EQ(seiche(scratch.folder(), {"kernels", "-o", "kernels.png"}).code, 0);
   EXPECT_EQ(read_file(scratch / "kernels.png").substr(1, 3), "PNG");
+}
+
+TEST(Usage, ValidateListsItsCases) {
+  const Scratch scratch;
+  const Result result = seiche(scratch.folder(), {"validate", "--list"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  for (const char* name : {"still-tank ", "pan2008 ", "standing-wave ", "dam-break ", "roll ", "paper "})
+    EXPECT_NE(result.out.find(name), std::string::npos) << name;
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.folder()));
+}
+
+TEST(Usage, ValidateRefusesWhatIsntThereAndWritesNothing) {
+  const Scratch scratch;
+  const auto error_of = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "validate");
+    const Result result = seiche(scratch.folder(), arguments);
+    EXPECT_EQ(result.code, 2);
+    return result.err;
+  };
+  EXPECT_EQ(error_of({"--only", "roll,dam-brake"}),
+            "seiche: there is no case 'dam-brake'; did you mean 'dam-break'?\n");
+  EXPECT_EQ(error_of({"."}), "seiche: . is no folder of scenes: it has no reference/\n");
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.folder()));
+  write_text(scratch / "out/validate/notes.txt", "mine");
+  EXPECT_NE(error_of({}).find("--overwrite"), std::string::npos);
 }
 
 }  // namespace

@@ -57,6 +57,17 @@ TEST(CheckParameters, WantsTheWaterInsideTheTank) {
   expect_refused([](Parameters& p) { p.fluid.column = 0.605; }, {"fluid.column = 0.605 m", "tank.length = 0.6 m"});
 }
 
+TEST(CheckParameters, WantsAWaveToHaveTheWholeTankAndToBeLongEnough) {
+  expect_refused([](Parameters& p) { p.fluid.wave_amplitude = 0.01, p.fluid.column = 0.3; },
+                 {"fluid.wave_amplitude", "fluid.column"});
+  expect_refused([](Parameters& p) { p.fluid.wave_amplitude = 0.01, p.fluid.wave_mode = 31; },
+                 {"fluid.wave_mode = 31", "3.87 spacings"});
+  Parameters p;
+  p.fluid.wave_amplitude = 0.01;
+  p.fluid.wave_mode = 30;
+  EXPECT_NO_THROW(check_parameters(p));
+}
+
 TEST(CheckParameters, WantsAShiftOnlyWhereItIsApplied) {
   expect_refused([](Parameters& p) { p.method.order = "move-first"; }, {"method.shift", "project-first"});
 }

@@ -1,0 +1,41 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "apps/validate/bench.hpp"
+#include "apps/validate/figure.hpp"
+#include "render/outputs.hpp"
+
+namespace seiche::validate {
+
+/// One chart of the page.
+struct Chart {
+  std::string title, x_label, y_label;
+  std::vector<render::Curve> curves;
+};
+
+/// What a case finds.
+struct Findings {
+  std::vector<Figure> figures;
+  std::vector<Chart> charts;
+};
+
+/// A comparison of runs with something known. `run` throws Interrupted; anything else that it throws is its failure.
+struct Case {
+  std::string name;   ///< as in "still-tank"
+  std::string shows;  ///< one line
+  std::function<Findings(Bench&)> run;
+};
+
+/// All of the program's, in the order of the table.
+std::vector<Case> all_cases();
+
+Findings still_tank(Bench& bench);
+Findings pan2008(Bench& bench);
+Findings standing_wave(Bench& bench);
+Findings dam_break(Bench& bench);
+Findings roll(Bench& bench);
+Findings paper(Bench& bench);
+
+}  // namespace seiche::validate

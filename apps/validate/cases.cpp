@@ -1,0 +1,17 @@
+#include "apps/validate/case.hpp"
+
+namespace seiche::validate {
+
+std::vector<Case> all_cases() {
+  return {
+      {"still-tank", "still water stays still under its hydrostatic pressure", still_tank},
+      {"pan2008", "surge near resonance: pressure, wall elevations and profiles against nonlinear potential theory",
+       pan2008},
+      {"standing-wave", "period and decay of a free wave against the dispersion relation and 2 nu k^2", standing_wave},
+      {"dam-break", "front of a collapsing column against the experiment of Martin and Moyce", dam_break},
+      {"roll", "a rolling tank's elevation against linear potential theory", roll},
+      {"paper", "which kernels of the paper's own scheme last", paper},
+  };
+}
+
+}  // namespace seiche::validate

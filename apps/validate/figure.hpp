@@ -1,0 +1,37 @@
+#pragma once
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace seiche::validate {
+
+/// Where a value must lie, ends included.
+struct Target {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+inline Target at_most(double high) { return {.high = high}; }
+inline Target at_least(double low) { return {.low = low}; }
+inline Target within(double both) { return {-both, both}; }
+
+/// One number of a case, beside what it ought to be.
+struct Figure {
+  std::string name;
+  double value;
+  std::string unit;              ///< of value and target, as in "%"
+  std::optional<Target> target;  ///< none: reported only
+
+  bool met() const { return !target || (value >= target->low && value <= target->high); }
+};
+
+/// As in "0.12 %"; three digits, but whole numbers up to 9999 in full.
+std::string value_text(const Figure& figure);
+
+/// As in "<= 1 %", or "-" where there is none.
+std::string target_text(const Figure& figure);
+
+/// "met", "missed by 0.2 %", or "-" where there is no target.
+std::string verdict(const Figure& figure);
+
+}  // namespace seiche::validate

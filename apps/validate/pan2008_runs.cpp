@@ -1,0 +1,38 @@
+#include "apps/validate/pan2008_runs.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/validate/surface.hpp"
+
+namespace seiche::validate::pan {
+
+References read_references(const Bench& bench) {
+  constexpr const char* file = "theory_fnpf_impulsive";
+  References r{bench.reference(file, "t", "eta_left"),
+               bench.reference(file, "t", "eta_right"),
+               bench.reference(file, "t", "p_left_bottom"),
+               {}};
+  const std::string profiles = std::string(file) + "_profiles";
+  const Series x = bench.reference(profiles, "t", "x"), z = bench.reference(profiles, "t", "z");
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    r.profiles[x.t[i]].t.push_back(x.y[i]);
+    r.profiles[x.t[i]].y.push_back(z.y[i]);
+  }
+  return r;
+}
+
+double Run::weight() const {
+  const Parameters& p = recording.parameters;
+  return p.fluid.density * p.gravity * p.fluid.depth;
+}
+
+Run make_run(Bench& bench, double spacing, double end) {
+  const std::vector<std::string> settings{fmt::format("particles.spacing={}", spacing), fmt::format("time.end={}", end),
+                                          "output.frame_rate=20"};
+  const double length = bench.scene("pan2008", settings).parameters.tank.length;
+  return {bench.run("pan2008", settings, {}, stations(length, 60))};
+}
+
+std::string millimetres(double spacing) { return fmt::format("{:g} mm", 1000 * spacing); }
+
+}  // namespace seiche::validate::pan

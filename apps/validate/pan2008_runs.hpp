@@ -1,0 +1,39 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "apps/validate/case.hpp"
+
+// The runs of the case "pan2008", what they are held against, and how both are drawn.
+namespace seiche::validate::pan {
+
+/// Fully nonlinear potential theory.
+struct References {
+  Series left, right;                 ///< elevation [m]
+  Series pressure;                    ///< at the left bottom corner [Pa]
+  std::map<double, Series> profiles;  ///< by time [s]; z over x [m]
+};
+
+References read_references(const Bench& bench);
+
+/// A run's sensors, with 60 wave gauges along the tank.
+struct Run {
+  Recording recording;
+
+  const Series& left() const { return recording.sensors.at("eta_left [m]"); }
+  const Series& right() const { return recording.sensors.at("eta_right [m]"); }
+  const Series& pressure() const { return recording.sensors.at("p_left_bottom [Pa]"); }
+  double spacing() const { return recording.parameters.particles.spacing; }
+  double weight() const;  ///< rho g h, the corner's pressure at rest [Pa]
+};
+
+Run make_run(Bench& bench, double spacing, double end);
+
+/// As in "2.5 mm".
+std::string millimetres(double spacing);
+
+/// Wall elevation, corner pressure, and the surface at 3 s.
+std::vector<Chart> charts(const std::vector<Run>& runs, const References& theory);
+
+}  // namespace seiche::validate::pan
