@@ -120,7 +120,8 @@ const std::vector<Option>& options() {
        "of pairs that come too near; part: the additional modification"},
       {"method", "separation_distance", "l0", AT(parameters.method.separation_distance), Range{0, 1},
        "pairs nearer than this are separated"},
-      {"method", "shift", "", AT(parameters.method.shift), Range{0, 1}, "strength of particle shifting; 0: none"},
+      {"method", "shift", "sqrt(g H)/l0", AT(parameters.method.shift), Range{0, 2},
+       "rate of particle shifting; 0: none"},
       {"method", "wall", "", AT(parameters.method.wall), Choices{"free-slip", "no-slip"},
        "what walls do to the viscous term"},
 

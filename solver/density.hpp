@@ -5,19 +5,19 @@
 namespace seiche::solver {
 
 /// Particle number density, equation (3): n_i = sum_j w(r_ij), and the number of neighbours within the support.
-/// All kinds count; 0 at dummies.
+/// All kinds count, walls as far as they are wet (in the number: if more than half); 0 at dummies.
 template <int D, class K>
-void number_density(const K& w, const Neighbours<D>& list, const Vecs<D>& r, Scalars& n, std::vector<int>& count) {
-  const int size = static_cast<int>(r.size());
+void number_density(const K& w, const Neighbours<D>& list, const State<D>& s, Scalars& n, std::vector<int>& count) {
+  const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     double sum = 0;
     int near = 0;
     for (int j : list[i]) {
-      const double d = (r[j] - r[i]).norm();
+      const double d = (s.position[j] - s.position[i]).norm();
       if (!(d < w.support)) continue;
-      sum += w(d);
-      ++near;
+      sum += s.wet[j] * w(d);
+      near += s.wet[j] > 0.5;
     }
     n[i] = sum;
     count[i] = near;

@@ -1,30 +1,50 @@
 #pragma once
+#include <Eigen/LU>
+
 #include "solver/boundary.hpp"
+#include "solver/gradient.hpp"
 
 namespace seiche::solver {
 
-/// Divergence of the velocity at fluid and wall particles [1/s]:
-/// (d/n0) sum_j (u_j - u_i).r_ij w/r_ij^2 (Khayyer & Gotoh 2009, Tanaka & Masunaga 2010). Walls stand still. Behind one
-/// the fluid's velocity along the normal goes on mirrored, u_j.n = -u_i.n, so that over the layers beside a wall the
-/// sum is the flow that the wall stops, all of it; along the wall nothing counts, so that fluid may slide.
+/// Divergence of the velocity at fluid and wall particles [1/s].
+///
+/// Where no wall is near: the trace of the velocity's gradient, exact on linear fields of any cloud,
+///   tr[(sum_j (u_j - u_i) r_ij^T w/r_ij^2) (sum_j r_ij r_ij^T w/r_ij^2)^-1],
+/// for the reason for which the pressure's gradient is corrected (gradient.hpp).
+///
+/// Beside a wall, and where few neighbours make that singular: (d/n0) sum_j (u_j - u_i).r_ij w/r_ij^2 (Khayyer & Gotoh
+/// 2009, Tanaka & Masunaga 2010). Walls stand still. Behind one the fluid's velocity along the normal goes on mirrored,
+/// u_j.n = -u_i.n, so that over the layers beside a wall the sum is the flow that the wall stops, all of it; along the
+/// wall nothing counts, so that fluid may slide. Walls count as far as they are wet.
 template <int D, class K>
 void velocity_divergence(const K& w, double n0, const Neighbours<D>& list, const State<D>& s, Scalars& out) {
+  using Matrix = Eigen::Matrix<double, D, D>;
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
-    out[i] = 0;
     const bool fluid = s.kind[i] == Kind::fluid;
+    bool walled = !fluid;
+    double sum = 0;
+    Matrix gradient = Matrix::Zero(), moment = Matrix::Zero();
     for (int j : list[i]) {
       const bool fluid_j = s.kind[j] == Kind::fluid;
-      if (!fluid && !fluid_j) continue;
+      if ((!fluid && !fluid_j) || s.wet[j] == 0) continue;
       const Vec<D> rij = s.position[j] - s.position[i];
       const double r2 = rij.squaredNorm();
       if (!(r2 < w.support * w.support)) continue;
       const Vec<D> du = s.velocity[j] - s.velocity[i];
-      const double rate = fluid && fluid_j ? du.dot(rij) : 2 * rise_across(fluid ? s.normal[j] : s.normal[i], du, rij);
-      out[i] += rate * w(std::sqrt(r2)) / r2;
+      const double weight = w(std::sqrt(r2)) / r2;
+      if (fluid && fluid_j) {
+        sum += weight * du.dot(rij);
+        gradient += weight * du * rij.transpose();
+        moment += weight * rij * rij.transpose();
+      } else {
+        walled = true;
+        sum += (fluid ? s.wet[j] : 1) * weight * 2 * rise_across(fluid ? s.normal[j] : s.normal[i], du, rij);
+      }
     }
-    out[i] *= D / n0;
+    const bool singular = walled || !((D / n0 * moment).determinant() > least_moment);
+    out[i] = singular ? D / n0 * sum : (gradient * moment.inverse()).trace();
   }
 }
 

@@ -15,11 +15,8 @@ struct PlainGradient {};
 struct MinimumGradient {};
 
 /// C_i (1/n0) sum_j (f_j - f_i) r_ij w/r_ij^2 with C_i = ((1/n0) sum_j r_ij r_ij^T w/r_ij^2)^-1: exact on linear fields
-/// (Khayyer & Gotoh 2011), plus a repulsion share * (d/n0) (f_i - f_min,i) sum_j r_ij w/r_ij^2 that keeps particles
-/// apart and vanishes where they lie evenly.
-struct CorrectedGradient {
-  double share = 0.3;
-};
+/// (Khayyer & Gotoh 2011).
+struct CorrectedGradient {};
 
 /// Below this determinant of d M_i (1 on a full lattice, 1/4 at a flat free surface, 1/16 in a corner) the moment
 /// matrix is held to be singular, and d stands for C_i.
@@ -29,9 +26,8 @@ namespace detail {
 
 template <int D>
 struct GradientSums {
-  Vec<D> differences = Vec<D>::Zero();     ///< sum (f_j - f_i) r_ij w/r^2
-  Vec<D> directions = Vec<D>::Zero();      ///< sum r_ij w/r^2 over those that have a pressure
-  Vec<D> all_directions = Vec<D>::Zero();  ///< the same, dummies included
+  Vec<D> differences = Vec<D>::Zero();  ///< sum (f_j - f_i) r_ij w/r^2
+  Vec<D> directions = Vec<D>::Zero();   ///< sum r_ij w/r^2
   Eigen::Matrix<double, D, D> moment = Eigen::Matrix<double, D, D>::Zero();
   double least = 0;  ///< f_min - f_i, at most 0
 
@@ -60,11 +56,10 @@ Vec<D> combine(MinimumGradient, const GradientSums<D>& s, double n0) {
   return D / n0 * (s.differences - s.least * s.directions);
 }
 template <int D>
-Vec<D> combine(CorrectedGradient g, const GradientSums<D>& s, double n0) {
+Vec<D> combine(CorrectedGradient, const GradientSums<D>& s, double n0) {
   const Eigen::Matrix<double, D, D> m = D / n0 * s.moment;
   const Vec<D> plain = D / n0 * s.differences;
-  const Vec<D> corrected = m.determinant() > least_moment ? Vec<D>(m.inverse() * plain) : plain;
-  return corrected - g.share * D / n0 * s.least * s.all_directions;
+  return m.determinant() > least_moment ? Vec<D>(m.inverse() * plain) : plain;
 }
 
 }  // namespace detail
@@ -86,8 +81,7 @@ void pressure_gradient(Model model, const K& w, double n0, const Vecs<D>* slope,
       const Vec<D> rij = s.position[j] - s.position[i];
       const double r2 = rij.squaredNorm();
       if (!(r2 < w.support * w.support)) continue;
-      const double weight = w(std::sqrt(r2)) / r2;
-      sums.all_directions += weight * rij;
+      const double weight = s.wet[j] * w(std::sqrt(r2)) / r2;
       if (slope && s.kind[j] != Kind::fluid)
         sums.add_wall(weight, rij, s.normal[j], (*slope)[i]);
       else if (s.kind[j] != Kind::dummy)

@@ -6,7 +6,8 @@ namespace seiche::solver {
 
 /// Laplacian of the velocity at fluid particles, equation (5) with the factor 2 of Koshizuka & Oka (1996):
 /// (2d/(lambda n0)) sum_j (u_j - u_i) w(r_ij) [1/(m s)]; exact on quadratic fields on a lattice.
-/// Walls and dummies stand still; with `slip` they exert no shear and are left out.
+/// Walls and dummies stand still; with `slip` they exert no shear and are left out; without, as far as
+/// they are wet.
 template <int D, class K>
 void velocity_laplacian(const K& w, const Reference& ref, bool slip, const Neighbours<D>& list, const State<D>& s,
                         Vecs<D>& out) {
@@ -19,7 +20,7 @@ void velocity_laplacian(const K& w, const Reference& ref, bool slip, const Neigh
     for (int j : list[i]) {
       if (slip && s.kind[j] != Kind::fluid) continue;
       const double r = (s.position[j] - s.position[i]).norm();
-      if (r < w.support) out[i] += w(r) * (s.velocity[j] - s.velocity[i]);
+      if (r < w.support) out[i] += s.wet[j] * w(r) * (s.velocity[j] - s.velocity[i]);
     }
     out[i] *= factor;
   }

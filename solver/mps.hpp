@@ -13,6 +13,8 @@
 #include "solver/snapshot.hpp"
 #include "solver/source.hpp"
 #include "solver/standing_wave.hpp"
+#include "solver/volume.hpp"
+#include "solver/wall_wetness.hpp"
 #include "solver/watch.hpp"
 
 namespace seiche::solver {
@@ -98,11 +100,14 @@ class Mps final : public Simulation {
   long fluid_at_start_ = 0;
   double fastest_ = 0;
   double force_divergence_ = 0;  ///< of f [1/s^2]
-  double flat_density_;          ///< n of the topmost layer below a flat surface
+  WallWetness<D> wetness_;
+  VolumeKernel volume_kernel_;
+  double whole_volume_;  ///< its sum on the lattice
+  double flat_density_;  ///< n of the topmost layer below a flat surface
 
   // Buffers kept between steps: number density, its count, divergence, vectors, the old velocity, nearness to the
   // surface.
-  Scalars n_, divergence_;
+  Scalars n_, excess_, divergence_;
   std::vector<int> count_, collisions_;
   Vecs<D> change_, old_velocity_;
   Vecs<D> force_, slope_;  ///< f of this step at each fluid particle [m/s^2], and rho f [Pa/m]

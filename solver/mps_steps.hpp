@@ -16,10 +16,13 @@ Mps<D, K>::Mps(const Parameters& p, K kernel, double sample_interval)
       s_(fill_tank<D>(p)),
       // A skin of 0.3 l0 balances the cost of longer rows against that of making the list more often.
       list_(Vec<D>::Constant(-wall_layers(p.method) * l0_), box_.size.array() + wall_layers(p.method) * l0_,
-            std::max({density_range_.w.support, gradient_range_.w.support, laplacian_range_.w.support}), 0.3 * l0_),
+            longest_support(p.method) * l0_, 0.3 * l0_),
       solver_(make_pressure_solver(p.pressure.solver, p.pressure.tolerance, p.pressure.max_iterations)),
       sensors_(p, sample_interval, s_),
       watch_(p, motion_),
+      wetness_(density_range_.w, l0_),
+      volume_kernel_(l0_),
+      whole_volume_(1 + lattice_reference<D>(volume_kernel_, l0_).n0),
       flat_density_(flat_surface_density<D>(density_range_.w, l0_)) {
   for (Kind k : s_.kind)
     ++(k == Kind::fluid ? totals_.fluid_particles : k == Kind::wall ? totals_.wall_particles : totals_.dummy_particles);
@@ -93,7 +96,8 @@ void Mps<D, K>::step_project_first(double dt) {
   solve_pressure(dt, p_.fluid.density);
   clip_pressure();
   correct_velocity(dt);
-  particle_shift(density_range_.w, density_range_.ref.n0, p_.method.shift, l0_, list_, near_, s_, change_);
+  const double share = p_.method.shift * dt * std::sqrt(p_.gravity * p_.fluid.depth) / l0_;
+  particle_shift(density_range_.w, density_range_.ref.n0, share, l0_, list_, near_, s_, change_);
   move_fluid([&](int i) { return Vec<D>(0.5 * dt * (old_velocity_[i] + s_.velocity[i]) + change_[i]); });
   separate();
 }
@@ -129,7 +133,8 @@ void Mps<D, K>::refresh_neighbours() {
   if (!list_.is_stale(s_)) return;
   list_.build(s_);
   ++totals_.list_builds;
-  for (Scalars* values : {&n_, &divergence_}) values->resize(s_.size());
+  wetness_.relist(list_, s_);
+  for (Scalars* values : {&n_, &excess_, &divergence_}) values->resize(s_.size());
   for (std::vector<int>* values : {&count_, &collisions_}) values->resize(s_.size());
   near_.resize(s_.size());
   change_.resize(s_.size());
@@ -139,7 +144,8 @@ void Mps<D, K>::refresh_neighbours() {
 template <int D, class K>
 void Mps<D, K>::find_surface() {
   const Stage stage(totals_.seconds["density"]);
-  number_density(density_range_.w, list_, s_.position, n_, count_);
+  if (ghost_walls()) wetness_(density_range_.w, density_range_.ref.n0, list_, s_);
+  number_density(density_range_.w, list_, s_, n_, count_);
   const double share = p_.method.surface == "density" ? 0 : count_share;
   mark_free_surface(density_range_.ref, p_.method.surface_beta, share, n_, count_, s_.kind, s_.surface);
   mark_near_surface(density_range_.w.support, list_, s_.position, s_.surface, near_);
@@ -183,13 +189,17 @@ void Mps<D, K>::assemble(const Boundary& boundary, double dt) {
   const Source source(p_, dt);
   const Reference& ref = laplacian_range_.ref;
   const double scale = ref.lambda * ref.n0 / (2 * D), n0 = density_range_.ref.n0;
-  if (source.mixed) velocity_divergence(density_range_.w, n0, list_, s_, divergence_);
+  if (source.mixed) {
+    velocity_divergence(density_range_.w, n0, list_, s_, divergence_);
+    volume_excess(volume_kernel_, whole_volume_, list_, s_, excess_);
+  }
   system_.assemble(laplacian_range_.w, definite * ref.n0, boundary, list_, s_);
   solution_.resize(system_.rows());
 #pragma omp parallel for schedule(static)
   for (int k = 0; k < system_.rows(); ++k) {
     const int i = system_.particle(k);
-    system_.right()[k] += scale * source(divergence_[i] + dt * force_divergence_, (n_[i] - n0) / n0, near_[i]);
+    const double excess = source.mixed ? excess_[i] : (n_[i] - n0) / n0;
+    system_.right()[k] += scale * source(divergence_[i] + dt * force_divergence_, excess, near_[i]);
     solution_[k] = s_.pressure[i];
   }
 }
@@ -233,7 +243,7 @@ void Mps<D, K>::separate() {
   const Stage stage(totals_.seconds["separate"]);
   const double distance = p_.method.separation_distance * l0_;
   if (p_.method.separation == "part") part_close_pairs(distance, list_, s_, change_);
-  if (p_.method.separation == "collide") collide_close_pairs(distance, near_, list_, s_, collisions_, change_);
+  if (p_.method.separation == "collide") collide_close_pairs(distance, l0_, near_, list_, s_, collisions_, change_);
 }
 
 /// Removes fluid that went through a wall or over the rim, and counts it.

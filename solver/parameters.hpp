@@ -94,7 +94,7 @@ struct Parameters {
     std::string surface = "density-and-count";  ///< density-and-count | density (equation 11)
     std::string separation = "collide";         ///< collide | part (the additional modification) | none
     double separation_distance = 0.8;           ///< pairs nearer than this are separated [l0]
-    double shift = 0.05;                        ///< strength of particle shifting [-]; 0: none
+    double shift = 1;                           ///< rate of particle shifting [sqrt(g H)/l0]; 0: none
     std::string wall = "free-slip";             ///< free-slip | no-slip: what walls do to the viscous term
   } method;
 

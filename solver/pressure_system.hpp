@@ -65,7 +65,7 @@ class PressureSystem {
       const Vec<D> rij = s.position[j] - s.position[i];
       const double r2 = rij.squaredNorm();
       if (!(r2 < w.support * w.support)) continue;
-      const double weight = w(std::sqrt(r2));
+      const double weight = s.wet[j] * w(std::sqrt(r2));
       if (row_[j] < 0) {
         sum += boundary.on_diagonal(j, weight);
         right += boundary.on_right(i, j, weight, rij);

@@ -22,24 +22,19 @@ void part_close_pairs(double distance, const Neighbours<D>& list, State<D>& s, V
   for (int i = 0; i < size; ++i) s.position[i] += moved[i];
 }
 
-/// How much farther than elsewhere pairs near the free surface collide: up to l0 with the default distance of 0.8 l0.
-/// Found by trial on a still tank (greatest speed 60 -> 17 mm/s, not tuned further); it has no derivation yet.
-inline constexpr double near_surface_reach = 1.25;
-
 /// Perfectly inelastic collision: a pair closer than `distance` that approaches loses its velocity of approach, shared
 /// equally between two fluid particles (momentum is kept), wholly taken by the one that meets a wall. Koshizuka & Oka
-/// (1996) use such a collision at 0.5 l0. Where both are near the free surface the distance is `near_surface_reach`
-/// times as long: with p given there, pressure can't keep those particles apart. All pairs act at once, so each is
-/// weakened by the number of collisions of its busier partner: energy can only fall. `collisions` and `change` are
-/// buffers.
+/// (1996) use such a collision at 0.5 l0. Where both are near the free surface the distance is l0 at least: with p
+/// given there, pressure can't keep those particles at their spacing. All pairs act at once, so each is weakened by the
+/// number of collisions of its busier partner: energy can only fall. `collisions` and `change` are buffers.
 template <int D>
-void collide_close_pairs(double distance, const std::vector<std::uint8_t>& near, const Neighbours<D>& list, State<D>& s,
-                         std::vector<int>& collisions, Vecs<D>& change) {
+void collide_close_pairs(double distance, double l0, const std::vector<std::uint8_t>& near, const Neighbours<D>& list,
+                         State<D>& s, std::vector<int>& collisions, Vecs<D>& change) {
   const int size = static_cast<int>(s.size());
   const auto each_collision = [&](int i, auto f) {
     for (int j : list[i]) {
       const Vec<D> rij = s.position[j] - s.position[i];
-      const double reach = near[i] && near[j] ? near_surface_reach * distance : distance;
+      const double reach = near[i] && near[j] ? std::max(distance, l0) : distance;
       const double r2 = rij.squaredNorm(), approach = (s.velocity[j] - s.velocity[i]).dot(rij);
       if (r2 < reach * reach && approach < 0) f(j, Vec<D>(approach / r2 * rij));
     }
@@ -61,22 +56,23 @@ void collide_close_pairs(double distance, const std::vector<std::uint8_t>& near,
   for (int i = 0; i < size; ++i) s.velocity[i] += change[i];
 }
 
-/// Particle shifting: the displacement -strength l0^2 (d/n0) sum_j r_ij w/r_ij^2 of each fluid particle away from the
-/// free surface (`near` 0), towards where neighbours are sparse (after Xu, Stansby, Laurence 2009) [m]; zero elsewhere.
+/// Particle shifting: the displacement -share l0^2 (d/n0) sum_j r_ij w/r_ij^2 of each fluid particle away from the free
+/// surface (`near` 0), towards where neighbours are sparse (after Xu, Stansby, Laurence 2009) [m]; zero elsewhere.
+/// @param share strength sqrt(g H) dt/l0: particles even out at a rate of their own, whatever the step
 template <int D, class K>
-void particle_shift(const K& w, double n0, double strength, double l0, const Neighbours<D>& list,
+void particle_shift(const K& w, double n0, double share, double l0, const Neighbours<D>& list,
                     const std::vector<std::uint8_t>& near, const State<D>& s, Vecs<D>& out) {
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     out[i].setZero();
-    if (s.kind[i] != Kind::fluid || near[i] || strength == 0) continue;
+    if (s.kind[i] != Kind::fluid || near[i] || share == 0) continue;
     for (int j : list[i]) {
       const Vec<D> rij = s.position[j] - s.position[i];
       const double r2 = rij.squaredNorm();
       if (r2 < w.support * w.support) out[i] -= w(std::sqrt(r2)) / r2 * rij;
     }
-    out[i] *= strength * l0 * l0 * D / n0;
+    out[i] *= share * l0 * l0 * D / n0;
   }
 }
 

@@ -14,11 +14,11 @@ inline constexpr double definite = 1e-7;
 
 /// Right-hand side of the pressure equation over -1: rho times the rate at which the density must fall [kg/(m^3 s^2)].
 ///  density: (rho/dt^2) (n - n0)/n0, equation (10);
-///  mixed:   (rho/dt) (-div u* + rate (n - n0)/n0) (Tanaka & Masunaga 2010). They write gamma/dt for the rate; a rate
-///  that
-///           doesn't change with dt keeps the two terms in balance when it does, else each change is a pressure spike.
-///           0.1 sqrt(g H)/l0 is their gamma of 0.02 at the longest step of alpha = 0.2. Near the free surface, where
-///           neighbours lack, n < n0 means nothing and is dropped.
+///  mixed:   (rho/dt) (-div u* + rate e), e the excess of particles (volume.hpp) (after Tanaka & Masunaga 2010). They
+///           write gamma/dt for the rate and n for the measure; a rate that doesn't change with dt keeps the two terms
+///           in balance when it does, else each change is a pressure spike. 0.1 sqrt(g H)/l0 is their gamma of 0.02 at
+///           the longest step of alpha = 0.2. Near the free surface, where neighbours lack, e < 0 means nothing and is
+///           dropped.
 struct Source {
   bool mixed;
   double density;  ///< rho [kg/m^3]

@@ -17,6 +17,7 @@ struct State {
   std::vector<Kind> kind;
   std::vector<std::uint8_t> surface;  ///< 1 at the free surface, where the pressure is given
   std::vector<std::uint32_t> id;
+  Scalars wet;  ///< 1 for fluid and for walls beside it, 0 for dry walls and what is behind them
 
   Vecs<D> listed_position;  ///< where each particle was when the neighbour list was made
   double time = 0;          ///< [s]
@@ -31,6 +32,7 @@ struct State {
     pressure.push_back(0);
     kind.push_back(k);
     surface.push_back(0);
+    wet.push_back(1);
     id.push_back(static_cast<std::uint32_t>(id.size()));
   }
 
@@ -43,6 +45,7 @@ struct State {
     pick(kind, order, kinds_);
     pick(surface, order, bytes_);
     pick(id, order, ids_);
+    pick(wet, order, scalars_);
   }
 
  private:

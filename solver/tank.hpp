@@ -4,6 +4,7 @@
 
 #include "solver/parameters.hpp"
 #include "solver/state.hpp"
+#include "solver/volume.hpp"
 
 namespace seiche::solver {
 
@@ -45,11 +46,15 @@ struct Box {
   bool within_height(const Vec<D>& r) const { return closed || r[1] <= size[1]; }
 };
 
-/// Layers of particles outside the wall's surface: one of wall particles, and dummies enough to fill the largest
-/// support of a wall particle.
-inline int wall_layers(const Parameters::Method& m) {
-  return 1 + static_cast<int>(std::floor(std::max({m.radius_density, m.radius_gradient, m.radius_laplacian})));
+/// Longest support that an operator has [l0].
+inline double longest_support(const Parameters::Method& m) {
+  const double longest = std::max({m.radius_density, m.radius_gradient, m.radius_laplacian});
+  return m.source == "mixed" ? std::max(longest, VolumeKernel::radius) : longest;
 }
+
+/// Layers of particles outside the wall's surface: one of wall particles, and dummies enough to fill the longest
+/// support of a wall particle.
+inline int wall_layers(const Parameters::Method& m) { return 1 + static_cast<int>(std::floor(longest_support(m))); }
 
 /// Fluid, wall and dummy particles of a tank at rest on one lattice, l0/2 off the wall's surface; the fluid's pressure
 /// is hydrostatic. Fluid has the first ids, then walls, then dummies.

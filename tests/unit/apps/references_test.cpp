@@ -96,7 +96,8 @@ TEST_F(SceneWithReference, SensorsThatArentThereAreNamedWithTheNearestOne) {
   EXPECT_EQ(error("[look]\ncurves = \"eta_left, p_roof\"\n"),
             scene +
                 ": [look] curves = 'p_roof' is no sensor of this scene; expected one of p_left_bottom, eta_left, "
-                "eta_right");
+                "eta_right, force_x, "
+                "force_y, moment, kinetic_energy, potential_energy, volume, x_mass, y_mass");
 }
 
 TEST_F(SceneWithReference, ThatIsMissingIsNamed) {

@@ -13,7 +13,7 @@ void collide(State<D>& s, double distance = 0.8 * l0, std::uint8_t near_surface 
   const auto list = test::listed(s, 2 * l0);
   std::vector<int> collisions(s.size());
   Vecs<D> change(s.size());
-  collide_close_pairs(distance, std::vector<std::uint8_t>(s.size(), near_surface), list, s, collisions, change);
+  collide_close_pairs(distance, l0, std::vector<std::uint8_t>(s.size(), near_surface), list, s, collisions, change);
 }
 
 /// Two particles `apart` along x, the second with velocity `u`, after their collision, in the order of their making.

@@ -64,6 +64,36 @@ TYPED_TEST(Divergence, IsExactOnLinearFieldsOfALattice) {
         kernel);
 }
 
+TYPED_TEST(Divergence, IsExactOnLinearFieldsOfAnyCloudAndAtItsSurface) {
+  constexpr int D = TypeParam::D;
+  Eigen::Matrix<double, D, D> a;
+  for (int k = 0; k < D * D; ++k) a(k / D, k % D) = 3 - k * k;
+  State<D> s = test::disordered<D>(test::block<D>(9), 0.2 * l0);
+  const auto divergence = divergence_of<D>(KF3{2.6 * l0}, s, [&](const Vec<D>& r) { return Vec<D>(a * r); });
+  int tested = 0;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    // But for the block's edges, where too few neighbours are left.
+    int outer = 0;
+    for (int k = 0; k < D; ++k) outer += std::abs(s.position[i][k]) > 3 * l0;
+    if (outer > 1) continue;
+    EXPECT_NEAR(divergence[i], a.trace(), 1e-10) << s.position[i].transpose() / l0;
+    ++tested;
+  }
+  EXPECT_GE(tested, D == 2 ? 60 : 500);
+}
+
+TYPED_TEST(Divergence, DryWallsStopNothing) {
+  constexpr int D = TypeParam::D;
+  State<D> s = above_a_floor<D>();
+  for (std::size_t i = 0; i < s.size(); ++i)
+    if (s.kind[i] != Kind::fluid) s.wet[i] = 0;
+  const auto divergence = divergence_of<D>(KF3{2.6 * l0}, s, [](const Vec<D>&) { return Vec<D>(-Vec<D>::Unit(1)); });
+  for (std::size_t i = 0; i < s.size(); ++i)
+    if (s.kind[i] == Kind::fluid) {
+      EXPECT_NEAR(divergence[i], 0, 1e-12);
+    }
+}
+
 TYPED_TEST(Divergence, OfARotationIsZeroOnAnyCloud) {
   constexpr int D = TypeParam::D;
   State<D> s = test::random_cloud<D>(200, -2 * l0, 2 * l0);

@@ -41,7 +41,7 @@ TYPED_TEST(GradientOrder, IsTwoOnALattice) {
 }
 
 TYPED_TEST(GradientOrder, OfTheCorrectedOneIsOneOnADisorderedCloud) {
-  EXPECT_NEAR((order<TypeParam::D>(CorrectedGradient{0}, 0.2)), 1, 0.05);
+  EXPECT_NEAR((order<TypeParam::D>(CorrectedGradient{}, 0.2)), 1, 0.05);
 }
 
 TYPED_TEST(GradientOrder, OfThePlainOneIsZeroOnADisorderedCloud) {

@@ -37,7 +37,7 @@ struct StillTank {
   explicit StillTank(const Parameters& parameters = small_tank<D>()) : p(parameters) { find_surface(); }
 
   void find_surface() {
-    number_density(w, list, s.position, n, count);
+    number_density(w, list, s, n, count);
     mark_free_surface(ref, 0.97, 0.85, n, count, s.kind, s.surface);
     mark_near_surface(w.support, list, s.position, s.surface, near);
   }

@@ -21,7 +21,7 @@ struct Block {
 
   explicit Block(double radius, double spacing = l0)
       : s(test::block<D>(9, spacing)), w{radius * l0}, list(test::listed(s, w.support)) {
-    number_density(w, list, s.position, n, count);
+    number_density(w, list, s, n, count);
   }
 
   void mark(double beta, double share) { mark_free_surface(ref, beta, share, n, count, s.kind, s.surface); }
