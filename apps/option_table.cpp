@@ -122,6 +122,8 @@ const std::vector<Option>& options() {
        "pairs nearer than this are separated"},
       {"method", "shift", "sqrt(g H)/l0", AT(parameters.method.shift), Range{0, 2},
        "rate of particle shifting; 0: none"},
+      {"method", "viscous", "", AT(parameters.method.viscous), Choices{"strain-rate", "laplacian"},
+       "form of the viscous term; laplacian: equation (5)"},
       {"method", "wall", "", AT(parameters.method.wall), Choices{"free-slip", "no-slip"},
        "what walls do to the viscous term"},
 

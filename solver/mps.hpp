@@ -13,6 +13,7 @@
 #include "solver/snapshot.hpp"
 #include "solver/source.hpp"
 #include "solver/standing_wave.hpp"
+#include "solver/strain_rate.hpp"
 #include "solver/volume.hpp"
 #include "solver/wall_wetness.hpp"
 #include "solver/watch.hpp"
@@ -105,11 +106,11 @@ class Mps final : public Simulation {
   double whole_volume_;  ///< its sum on the lattice
   double flat_density_;  ///< n of the topmost layer below a flat surface
 
-  // Buffers kept between steps: number density, its count, divergence, vectors, the old velocity, nearness to the
+  // Buffers kept between steps: number density, its count, divergence, vectors, nearness to the
   // surface.
   Scalars n_, excess_, divergence_;
   std::vector<int> count_, collisions_;
-  Vecs<D> change_, old_velocity_;
+  Vecs<D> change_;
   Vecs<D> force_, slope_;  ///< f of this step at each fluid particle [m/s^2], and rho f [Pa/m]
   std::vector<std::uint8_t> near_;
   Eigen::VectorXd solution_;

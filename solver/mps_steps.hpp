@@ -86,11 +86,11 @@ void Mps<D, K>::step_move_first(double dt) {
 }
 
 /// The stabilised order: predict (12, 13), project with the weights of the positions at the step's start, then move
-/// with the mean of the old and the new velocity (second order in dt), and keep particles apart.
+/// with the new velocity, and keep particles apart. That is the symplectic Euler method: a wave of frequency omega
+/// keeps its height, where a move with the mean of old and new velocity lets it grow by omega^2 dt/4 in time.
 template <int D, class K>
 void Mps<D, K>::step_project_first(double dt) {
   refresh_neighbours();
-  old_velocity_ = s_.velocity;
   find_surface();
   predict(dt);
   solve_pressure(dt, p_.fluid.density);
@@ -98,7 +98,7 @@ void Mps<D, K>::step_project_first(double dt) {
   correct_velocity(dt);
   const double share = p_.method.shift * dt * std::sqrt(p_.gravity * p_.fluid.depth) / l0_;
   particle_shift(density_range_.w, density_range_.ref.n0, share, l0_, list_, near_, s_, change_);
-  move_fluid([&](int i) { return Vec<D>(0.5 * dt * (old_velocity_[i] + s_.velocity[i]) + change_[i]); });
+  move_fluid([&](int i) { return Vec<D>(dt * s_.velocity[i] + change_[i]); });
   separate();
 }
 
@@ -107,7 +107,11 @@ void Mps<D, K>::step_project_first(double dt) {
 template <int D, class K>
 void Mps<D, K>::predict(double dt) {
   const Stage stage(totals_.seconds["explicit"]);
-  velocity_laplacian(laplacian_range_.w, laplacian_range_.ref, p_.method.wall == "free-slip", list_, s_, change_);
+  const bool slip = p_.method.wall == "free-slip";
+  if (p_.method.viscous == "laplacian")
+    velocity_laplacian(laplacian_range_.w, laplacian_range_.ref, slip, list_, s_, change_);
+  else
+    strain_rate_divergence(laplacian_range_.w, laplacian_range_.ref, slip, list_, s_, change_);
   set_force(body_force<D>(motion_, p_.gravity, s_.time, dt));
   // Ghost walls balance f in the pressure equation itself, so there it joins the velocity only after the projection.
   const bool now = !ghost_walls();

@@ -95,6 +95,7 @@ struct Parameters {
     std::string separation = "collide";         ///< collide | part (the additional modification) | none
     double separation_distance = 0.8;           ///< pairs nearer than this are separated [l0]
     double shift = 1;                           ///< rate of particle shifting [sqrt(g H)/l0]; 0: none
+    std::string viscous = "strain-rate";        ///< strain-rate | laplacian (equation 5): form of the viscous term
     std::string wall = "free-slip";             ///< free-slip | no-slip: what walls do to the viscous term
   } method;
 

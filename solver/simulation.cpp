@@ -32,6 +32,7 @@ void apply_preset(Parameters& p, const std::string& preset) {
     m.separation = "part";
     m.separation_distance = 0.5;
     m.shift = 0;
+    m.viscous = "laplacian";
     m.wall = "no-slip";
     p.time.courant = 0.1;
   } else {
@@ -74,6 +75,7 @@ void check_parameters(const Parameters& p) {
   check_name("method.gradient", p.method.gradient, {"corrected", "minimum", "plain"});
   check_name("method.surface", p.method.surface, {"density-and-count", "density"});
   check_name("method.separation", p.method.separation, {"collide", "part", "none"});
+  check_name("method.viscous", p.method.viscous, {"strain-rate", "laplacian"});
   check_name("method.wall", p.method.wall, {"free-slip", "no-slip"});
   check_name("pressure.solver", p.pressure.solver, {"iccg", "sor", "cholmod"});
   const double l0 = p.particles.spacing;
