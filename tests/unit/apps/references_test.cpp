@@ -92,12 +92,13 @@ TEST_F(SceneWithReference, SensorsThatArentThereAreNamedWithTheNearestOne) {
   EXPECT_EQ(error("[[look.reference]]\nof = \"eta_lft\"\nfile = \"data/theory.csv\"\n"),
             scene +
                 ": [[look.reference]] of = 'eta_lft' is no sensor of this scene; expected one of p_left_bottom, "
-                "eta_left, eta_right; did you mean 'eta_left'?");
+                "eta_left, eta_right, force_x, force_y, moment, kinetic_energy, potential_energy, volume, x_mass, "
+                "y_mass; did "
+                "you mean 'eta_left'?");
   EXPECT_EQ(error("[look]\ncurves = \"eta_left, p_roof\"\n"),
             scene +
                 ": [look] curves = 'p_roof' is no sensor of this scene; expected one of p_left_bottom, eta_left, "
-                "eta_right, force_x, "
-                "force_y, moment, kinetic_energy, potential_energy, volume, x_mass, y_mass");
+                "eta_right, force_x, force_y, moment, kinetic_energy, potential_energy, volume, x_mass, y_mass");
 }
 
 TEST_F(SceneWithReference, ThatIsMissingIsNamed) {
