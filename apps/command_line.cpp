@@ -33,6 +33,12 @@ void add_shorthand(CLI::App& verb, const std::string& flag, const std::string& k
       ->take_last();
 }
 
+void add_threads(CLI::App& verb, int& threads) {
+  verb.add_option("--threads", threads, "threads to compute with; one per core if left out")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+}
+
 void add_run(CLI::App& app, RunRequest& request, int& code) {
   CLI::App* verb = app.add_subcommand("run", "Simulate a scene and write its pictures, movie and data")
                        ->group("Verbs")
@@ -52,9 +58,7 @@ void add_run(CLI::App& app, RunRequest& request, int& code) {
   add_shorthand(*verb, "--spacing", "particles.spacing", request.overrides, "METRES");
   add_shorthand(*verb, "--end", "time.end", request.overrides, "SECONDS");
   add_shorthand(*verb, "--range", "look.range", request.overrides, "RANGE");
-  verb->add_option("--threads", request.threads, "threads to compute with; one per core if left out")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+  add_threads(*verb, request.threads);
   verb->add_flag("--dry-run", request.dry_run, "print every key with its value, unit and range, and write nothing");
   verb->add_flag("--quiet", request.quiet, "print nothing but errors");
   verb->add_flag("--overwrite", request.overwrite, "replace an earlier run in the folder; other files there stay");
@@ -97,9 +101,7 @@ void add_validate(CLI::App& app, validate::Request& request, int& code) {
   verb->add_option("-o,--output", request.folder, "folder for everything written; out/validate if left out")
       ->type_name("DIR");
   verb->add_option("--only", request.only, "run only these cases")->delimiter(',')->type_name("CASE[,CASE]");
-  verb->add_option("--threads", request.threads, "threads to compute with; one per core if left out")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+  add_threads(*verb, request.threads);
   verb->add_flag("--quick", request.quick, "coarse runs only");
   verb->add_flag("--list", request.list, "name the cases, and run nothing");
   verb->add_flag("--overwrite", request.overwrite, "replace an earlier table in the folder");

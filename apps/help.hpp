@@ -51,7 +51,7 @@ constexpr const char* kernels_footer = R"(Examples:
 
 constexpr const char* validate_footer = R"(Examples:
   seiche validate --quick                  coarse runs, in minutes
-  seiche validate                          all, within the hour
+  seiche validate                          all cases, down to 2.5 mm
   seiche validate --only roll,dam-break
   seiche validate --list
 

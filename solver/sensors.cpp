@@ -71,6 +71,7 @@ void Sensors<D>::evaluate(const State<D>& s, Scalars& values) {
     add(load.force);
     values.push_back(load.moment);
   }
+  if (!p_.sensors.energy && !p_.sensors.volume) return;
   const Budget<D> all = budget(s, p_);
   if (p_.sensors.energy) values.insert(values.end(), {all.kinetic, all.potential});
   if (p_.sensors.volume) {

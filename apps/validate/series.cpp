@@ -4,34 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
-#include <stdexcept>
+
+#include "apps/csv.hpp"
 
 namespace seiche::validate {
 namespace {
 
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> result;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');) result.push_back(cell);
-  if (!result.empty() && result.back().ends_with('\r')) result.back().pop_back();
-  return result;
-}
-
-std::size_t place(const std::vector<std::string>& names, const std::string& name, const std::filesystem::path& file) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) throw std::runtime_error(fmt::format("{} has no column '{}'", file.string(), name));
-  return found - names.begin();
-}
-
-double number(const std::vector<std::string>& row, std::size_t column, const std::filesystem::path& file) {
-  try {
-    return std::stod(row.at(column));
-  } catch (const std::logic_error&) {
-    throw std::runtime_error(fmt::format("{} has a row without a number in column {}", file.string(), column + 1));
-  }
+std::size_t place(const apps::Csv& table, const std::string& name) {
+  const auto found = std::find(table.titles().begin(), table.titles().end(), name);
+  if (found == table.titles().end()) table.refuse_header(fmt::format("there is no column '{}'", name));
+  return found - table.titles().begin();
 }
 
 }  // namespace
@@ -70,16 +53,12 @@ double rms(const std::vector<double>& values) {
 }
 
 Series read_series(const std::filesystem::path& file, const std::string& over, const std::string& column) {
-  std::ifstream in(file);
-  std::string line;
-  if (!std::getline(in, line)) throw std::runtime_error(fmt::format("can't read {}", file.string()));
-  const std::vector<std::string> names = cells(line);
-  const std::size_t t = place(names, over, file), y = place(names, column, file);
+  const apps::Csv table = apps::read_csv(file.string(), "reference");
+  const std::size_t t = place(table, over), y = place(table, column);
   Series series;
-  while (std::getline(in, line)) {
-    const std::vector<std::string> row = cells(line);
-    series.t.push_back(number(row, t, file));
-    series.y.push_back(number(row, y, file));
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    series.t.push_back(table.number(row, t));
+    series.y.push_back(table.number(row, y));
   }
   return series;
 }

@@ -7,6 +7,7 @@
 // Pictures with curves under them.
 using namespace seiche;
 using namespace seiche::render;
+using test::sized;
 
 namespace {
 
@@ -18,13 +19,6 @@ Image draw(const Look& look, double end = 10) {
   const auto frame = test::lattice(tank, 0.2, 186);
   painter.record(test::readings(0, frame->time, 1000));
   return painter.draw(*frame, scene_range(run));
-}
-
-Look sized(int width, int height) {
-  Look look;
-  look.width = width;
-  look.height = height;
-  return look;
 }
 
 }  // namespace

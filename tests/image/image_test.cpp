@@ -9,7 +9,7 @@
 // Pictures against baselines.
 using namespace seiche;
 using namespace seiche::render;
-using test::expect_baseline, test::least_mean, test::least_tile;
+using test::expect_baseline, test::least_mean, test::least_tile, test::sized;
 
 namespace {
 
@@ -18,13 +18,6 @@ const test::Box sloshing{.spacing = 0.01};
 Image draw(const Look& look, const test::Box& box, double slope) {
   const auto run = test::run_info(box);
   return Painter(run, look).draw(*test::lattice(box, slope, 62), scene_range(run));
-}
-
-Look sized(int width, int height) {
-  Look look;
-  look.width = width;
-  look.height = height;
-  return look;
 }
 
 }  // namespace

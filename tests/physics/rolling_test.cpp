@@ -13,14 +13,6 @@ Parameters rolling(double spacing) {
   return p;
 }
 
-double centre(const Frame& frame) {
-  double sum = 0;
-  long n = 0;
-  for (std::size_t i = 0; i < frame.size(); ++i)
-    if (frame.kind[i] == Kind::fluid) sum += frame.position[i][0], ++n;
-  return sum / n;
-}
-
 // The centre of mass moves by 15 mm and is off by 2.8 % of that. Where it moves by less than a spacing the surface is
 // too coarse: by 0.5 degrees it moves by 3.7 mm, and is off by 9 % of that here, by 3 % at a spacing of 5 mm.
 TEST(Rolling, FollowsPotentialTheory) {

@@ -49,6 +49,15 @@ inline double hydrostatic_error(const Frame& frame, const Parameters& p) {
   return std::sqrt(sum / n) / (weight * p.fluid.depth);
 }
 
+/// Of the water's centre of mass: x [m].
+inline double centre(const Frame& frame) {
+  double sum = 0;
+  long n = 0;
+  for (std::size_t i = 0; i < frame.size(); ++i)
+    if (frame.kind[i] == Kind::fluid) sum += frame.position[i][0], ++n;
+  return sum / n;
+}
+
 inline double fastest(const Frame& frame) {
   double v2 = 0;
   for (const Float3& v : frame.velocity)

@@ -21,14 +21,6 @@ double centre_by_theory(const Parameters& p, double t) {
   return x;
 }
 
-double centre(const Frame& frame) {
-  double sum = 0;
-  long n = 0;
-  for (std::size_t i = 0; i < frame.size(); ++i)
-    if (frame.kind[i] == Kind::fluid) sum += frame.position[i][0], ++n;
-  return sum / n;
-}
-
 struct Crest {
   std::size_t column;  ///< of the readings
   double from, to;     ///< [s]
