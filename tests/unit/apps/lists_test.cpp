@@ -9,6 +9,7 @@
 #include "apps/run_json.hpp"
 #include "apps/scene_file.hpp"
 #include "apps/scene_text.hpp"
+#include "tests/unit/apps/errors_of.hpp"
 #include "tests/unit/apps/files.hpp"
 
 namespace seiche::apps {
@@ -19,15 +20,6 @@ const char* sensors =
     "x = 0.3\n[[sensors.pressure]]\nname = \"p1\"\n"
     "y = 0.1\nside = 0.02\n[[sensors.gauge]]\nname = \"right\"\nx = 1\n[[motion.harmonic]]\nof = \"roll\"\n"
     "amplitude = 2.5\nfrequency = 0.5\nphase = -90\n";
-
-std::string errors_of(const std::string& toml, const std::vector<Override>& overrides = {}) {
-  try {
-    parse_scene(toml, "x.toml", overrides);
-  } catch (const BadScene& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(Lists, HaveSectionsWithKeysAndNamesOfTheirOwn) {
   const std::vector<std::string> all = sections();

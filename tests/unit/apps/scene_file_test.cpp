@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/options.hpp"
+#include "tests/unit/apps/errors_of.hpp"
 #include "tests/unit/apps/files.hpp"
 
 namespace seiche::apps {
@@ -10,15 +11,6 @@ namespace {
 
 using test::Scratch;
 using test::write_text;
-
-std::string errors_of(const std::string& toml, const std::vector<Override>& overrides = {}) {
-  try {
-    parse_scene(toml, "x.toml", overrides);
-  } catch (const BadScene& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(SceneFile, AnEmptyOneIsTheDefaultScene) {
   const Scene scene = parse_scene("", "some/where/pan2008.toml", {});

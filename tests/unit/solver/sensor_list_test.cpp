@@ -2,12 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/simulation.hpp"
+#include "tests/unit/solver/expect_refused.hpp"
 
 namespace seiche {
 namespace {
 
 using Names = std::vector<std::string>;
+using test::expect_refused;
 
 TEST(SensorColumns, OfTheDefaults) {
   Parameters p;
@@ -45,17 +46,6 @@ TEST(SensorsOf, DefaultsStandMidwayAcross) {
   EXPECT_EQ(sensors.gauge.at(0).z, 0.15);
   EXPECT_EQ(sensors.gauge.at(1).x, 0.6);
   EXPECT_NO_THROW(check_parameters(p));
-}
-
-/// Expects parameters with these sensors to be refused with a message that has every one of the words.
-void expect_refused(const Parameters& p, const Names& words) {
-  try {
-    check_parameters(p);
-    ADD_FAILURE() << "accepted; expected " << words[0];
-  } catch (const BadParameters& error) {
-    for (const auto& word : words)
-      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << word << " in: " << error.what();
-  }
 }
 
 Parameters with_pressure(double x, double y, double z = 0, double side = 0) {
