@@ -48,27 +48,6 @@ struct GhostBoundary {
   }
 };
 
-/// Gives free-surface particles their pressure: the surface lies l0/2 above the topmost centres, so rho |f| l0/2 where
-/// half the neighbours are there as below a flat surface, and less in proportion for drops and films.
-/// @param rho of the liquid [kg/m^3]; 0 gives p = 0
-/// @param force f at each fluid particle [m/s^2]
-template <int D>
-void set_surface_pressure(double rho, const Vecs<D>& force, double l0, double flat_density, const Scalars& density,
-                          State<D>& s) {
-  const int size = static_cast<int>(s.size());
-  for (int i = 0; i < size; ++i)
-    if (s.surface[i])
-      s.pressure[i] =
-          s.kind[i] == Kind::fluid ? 0.5 * l0 * (rho * force[i].norm()) * std::min(1.0, density[i] / flat_density) : 0;
-}
-
-/// Number density of a lattice particle in the topmost layer below a flat surface: half of what is there beside its own
-/// layer, and its layer.
-template <int D, class K>
-double flat_surface_density(const K& w, double l0) {
-  return 0.5 * (lattice_reference<D>(w, l0).n0 + lattice_reference<D - 1>(w, l0).n0);
-}
-
 /// Pressure at wall particles [Pa], for sensors and pictures: the mean over the fluid around of what each would have
 /// behind the wall. 0 where there is no fluid.
 /// @param slope rho f at each fluid particle [Pa/m]

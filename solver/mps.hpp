@@ -14,6 +14,7 @@
 #include "solver/source.hpp"
 #include "solver/standing_wave.hpp"
 #include "solver/strain_rate.hpp"
+#include "solver/surface_pressure.hpp"
 #include "solver/volume.hpp"
 #include "solver/wall_wetness.hpp"
 #include "solver/watch.hpp"
@@ -104,7 +105,7 @@ class Mps final : public Simulation {
   WallWetness<D> wetness_;
   VolumeKernel volume_kernel_;
   double whole_volume_;  ///< its sum on the lattice
-  double flat_density_;  ///< n of the topmost layer below a flat surface
+  SurfaceDepth surface_depth_;
 
   // Buffers kept between steps: number density, its count, divergence, vectors, nearness to the
   // surface.
@@ -112,6 +113,7 @@ class Mps final : public Simulation {
   std::vector<int> count_, collisions_;
   Vecs<D> change_;
   Vecs<D> force_, slope_;  ///< f of this step at each fluid particle [m/s^2], and rho f [Pa/m]
+  Vecs<D> viscous_;        ///< nu times the Laplacian of u [m/s^2]
   std::vector<std::uint8_t> near_;
   Eigen::VectorXd solution_;
 };

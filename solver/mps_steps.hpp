@@ -23,7 +23,7 @@ Mps<D, K>::Mps(const Parameters& p, K kernel, double sample_interval)
       wetness_(density_range_.w, l0_),
       volume_kernel_(l0_),
       whole_volume_(1 + lattice_reference<D>(volume_kernel_, l0_).n0),
-      flat_density_(flat_surface_density<D>(density_range_.w, l0_)) {
+      surface_depth_(surface_depth<D>(density_range_.w, l0_)) {
   for (Kind k : s_.kind)
     ++(k == Kind::fluid ? totals_.fluid_particles : k == Kind::wall ? totals_.wall_particles : totals_.dummy_particles);
   fluid_at_start_ = totals_.fluid_particles;
@@ -109,14 +109,15 @@ void Mps<D, K>::predict(double dt) {
   const Stage stage(totals_.seconds["explicit"]);
   const bool slip = p_.method.wall == "free-slip";
   if (p_.method.viscous == "laplacian")
-    velocity_laplacian(laplacian_range_.w, laplacian_range_.ref, slip, list_, s_, change_);
+    velocity_laplacian(laplacian_range_.w, laplacian_range_.ref, slip, list_, s_, viscous_);
   else
-    strain_rate_divergence(laplacian_range_.w, laplacian_range_.ref, slip, list_, s_, change_);
+    strain_rate_divergence(laplacian_range_.w, laplacian_range_.ref, slip, list_, s_, viscous_);
   set_force(body_force<D>(motion_, p_.gravity, s_.time, dt));
   // Ghost walls balance f in the pressure equation itself, so there it joins the velocity only after the projection.
   const bool now = !ghost_walls();
   each_fluid([&](int i) {
-    s_.velocity[i] += dt * (p_.fluid.viscosity * change_[i] + (now ? force_[i] : Vec<D>(Vec<D>::Zero())));
+    viscous_[i] *= p_.fluid.viscosity;
+    s_.velocity[i] += dt * (viscous_[i] + (now ? force_[i] : Vec<D>(Vec<D>::Zero())));
   });
 }
 
@@ -141,7 +142,7 @@ void Mps<D, K>::refresh_neighbours() {
   for (Scalars* values : {&n_, &excess_, &divergence_}) values->resize(s_.size());
   for (std::vector<int>* values : {&count_, &collisions_}) values->resize(s_.size());
   near_.resize(s_.size());
-  change_.resize(s_.size());
+  for (Vecs<D>* values : {&change_, &viscous_}) values->resize(s_.size());
 }
 
 /// Number density (3) and free surface (11).
@@ -163,7 +164,7 @@ void Mps<D, K>::solve_pressure(double dt, double surface_density) {
   {
     const Stage stage(totals_.seconds["assembly"]);
     if (ghost_walls()) {
-      set_surface_pressure(surface_density, force_, l0_, flat_density_, n_, s_);
+      set_surface_pressure(surface_density, force_, viscous_, surface_depth_, n_, s_);
       assemble(GhostBoundary<D>{s_, n_, near_, density_range_.ref.n0, laplacian_range_.ref.n0, slope_}, dt);
     } else {
       assemble(PaperBoundary<D>{s_}, dt);

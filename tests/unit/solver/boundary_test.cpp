@@ -51,31 +51,6 @@ TYPED_TEST(Boundary, AirBelongsToTheSecondLayerOnly) {
   EXPECT_EQ(ghost.own(test::nearest<D>(tank.s, r)), 0);
 }
 
-TYPED_TEST(Boundary, ALoneDropHasLessSurfacePressureThanAFlatSurface) {
-  constexpr int D = TypeParam::D;
-  State<D> s = test::block<D>(2);
-  for (auto& flag : s.surface) flag = 1;
-  s.surface[2] = 0;
-  s.pressure[2] = 77;
-  s.kind[3] = Kind::wall;
-  Scalars n(s.size(), 0.5);
-  n[0] = 9;
-  const Vecs<D> force(s.size(), Vec<D>(10 * Vec<D>::Unit(0)));
-  set_surface_pressure(100, force, l0, 2, n, s);
-  EXPECT_DOUBLE_EQ(s.pressure[0], 0.5 * l0 * 1000) << "dense: as below a flat surface";
-  EXPECT_DOUBLE_EQ(s.pressure[1], 0.5 * l0 * 1000 * 0.25) << "in proportion";
-  EXPECT_EQ(s.pressure[2], 77) << "not at the surface";
-  EXPECT_EQ(s.pressure[3], 0) << "a wall";
-}
-
-TYPED_TEST(Boundary, DensityBelowAFlatSurfaceIsWhatAStillTankHas) {
-  constexpr int D = TypeParam::D;
-  StillTank<D> tank;
-  Vec<D> r = Vec<D>::Constant(0.065);
-  r[1] = 0.095;
-  EXPECT_NEAR(flat_surface_density<D>(tank.w, l0), tank.n[test::nearest<D>(tank.s, r)], 1e-12);
-}
-
 TYPED_TEST(Boundary, WallsOfStillWaterReadItsPressure) {
   constexpr int D = TypeParam::D;
   StillTank<D> tank;

@@ -14,7 +14,7 @@ struct Solvers : ::testing::TestWithParam<std::string> {
 
   Solvers() {
     test::StillTank<2> tank;
-    set_surface_pressure(1, tank.everywhere(), test::l0, flat_surface_density<2>(tank.w, test::l0), tank.n, tank.s);
+    tank.set_surface_pressure();
     system = tank.system(tank.ghost(), 1e-7 * tank.ref.n0);
     b = system.right();
     for (int k = 0; k < b.size(); ++k) b[k] += 10 * std::sin(k);

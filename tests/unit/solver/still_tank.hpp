@@ -3,7 +3,9 @@
 #include "solver/density.hpp"
 #include "solver/kernels.hpp"
 #include "solver/pressure_system.hpp"
+#include "solver/surface_pressure.hpp"
 #include "solver/tank.hpp"
+#include "solver/wall_wetness.hpp"
 #include "tests/unit/solver/cloud.hpp"
 
 namespace seiche::solver::test {
@@ -40,6 +42,19 @@ struct StillTank {
     number_density(w, list, s, n, count);
     mark_free_surface(ref, 0.97, 0.85, n, count, s.kind, s.surface);
     mark_near_surface(w.support, list, s.position, s.surface, near);
+  }
+
+  /// Walls are wet at first, dry ones too.
+  void wet_walls() {
+    WallWetness<D> wetness(w, l0);
+    wetness.relist(list, s);
+    wetness(w, ref.n0, list, s);
+    find_surface();
+  }
+
+  void set_surface_pressure() {
+    const Vecs<D> inviscid(s.size(), Vec<D>::Zero());
+    solver::set_surface_pressure(1, everywhere(), inviscid, surface_depth<D>(w, l0), n, s);
   }
 
   /// rho g (depth - y).

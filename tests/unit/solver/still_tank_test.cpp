@@ -27,11 +27,13 @@ TYPED_TEST(StillWater, FreeSurfaceIsTheTopmostLayer) {
 TYPED_TEST(StillWater, SurfacePressureIsThatOfHalfALayer) {
   constexpr int D = TypeParam::D;
   StillTank<D> tank;
-  set_surface_pressure(1, tank.everywhere(), l0, flat_surface_density<D>(tank.w, l0), tank.n, tank.s);
+  tank.wet_walls();
+  tank.set_surface_pressure();
   for (std::size_t i = 0; i < tank.s.size(); ++i) {
     if (!tank.s.surface[i]) continue;
     const bool fluid = tank.s.kind[i] == Kind::fluid;
-    EXPECT_NEAR(tank.s.pressure[i], fluid ? 0.5 * l0 * tank.slope.norm() : 0, 1e-9);
+    // Beside walls less by what their wetness lacks (wall_wetness_test.cpp).
+    EXPECT_NEAR(tank.s.pressure[i] / (l0 * tank.slope.norm()), fluid ? 0.5 : 0, 5e-4);
   }
 }
 

@@ -14,17 +14,10 @@ template <class T>
 struct Wetness : ::testing::Test {};
 TYPED_TEST_SUITE(Wetness, test::Dimensions);
 
-template <int D>
-void wet_walls(StillTank<D>& tank) {
-  WallWetness<D> wetness(tank.w, l0);
-  wetness.relist(tank.list, tank.s);
-  wetness(tank.w, tank.ref.n0, tank.list, tank.s);
-}
-
 TYPED_TEST(Wetness, OfStillWaterEndsAtItsTopmostLayer) {
   constexpr int D = TypeParam::D;
   StillTank<D> tank;
-  wet_walls(tank);
+  tank.wet_walls();
   for (std::size_t i = 0; i < tank.s.size(); ++i) {
     const double y = tank.s.position[i][1];
     const Vec<D> outside = tank.s.position[i] - tank.s.position[i].cwiseMax(0).cwiseMin(Box<D>(tank.p).size);
@@ -43,7 +36,7 @@ TYPED_TEST(Wetness, IsPartialAtAContactLineThatSinks) {
     if (tank.s.kind[i] == Kind::fluid && tank.s.position[i][1] > tank.p.fluid.depth - l0)
       tank.s.position[i][1] -= 0.5 * l0;
   tank.list = test::listed(tank.s, tank.w.support, 0.3 * l0);
-  wet_walls(tank);
+  tank.wet_walls();
   int drying = 0;
   for (std::size_t i = 0; i < tank.s.size(); ++i) {
     const auto& r = tank.s.position[i];
@@ -64,7 +57,7 @@ TYPED_TEST(Wetness, IsPartialAtAContactLineThatSinks) {
 TYPED_TEST(Wetness, LetsTheContactLineBeSeenAsFreeSurface) {
   constexpr int D = TypeParam::D;
   StillTank<D> tank;
-  wet_walls(tank);
+  tank.wet_walls();
   tank.find_surface();
   for (std::size_t i = 0; i < tank.s.size(); ++i) {
     if (tank.s.kind[i] != Kind::fluid) continue;
@@ -72,7 +65,7 @@ TYPED_TEST(Wetness, LetsTheContactLineBeSeenAsFreeSurface) {
         << tank.s.position[i].transpose() / l0;
     // Beside a wall as far from it: the flat surface's own density, but for the hundredth above.
     if (tank.s.surface[i]) {
-      EXPECT_NEAR(tank.n[i], flat_surface_density<D>(tank.w, l0), 1e-3 * tank.n[i]);
+      EXPECT_NEAR(tank.n[i], surface_depth<D>(tank.w, l0).topmost, 1e-3 * tank.n[i]);
     }
   }
 }
