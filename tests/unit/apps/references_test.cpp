@@ -37,6 +37,19 @@ TEST(Reference, EmptyCellsAreGaps) {
   EXPECT_EQ(series.value[2], 3);
 }
 
+TEST(Reference, BeginsWhereItIsToldTo) {
+  const Csv table("t,eta_left\n0,1\n0.5,2\n1,3\n", "r.csv");
+  const auto series = reference_series(table, "eta_left", "[m]", 0.5);
+  EXPECT_EQ(series.time, (std::vector<double>{0.5, 1}));
+  EXPECT_EQ(series.value, (std::vector<double>{2, 3}));
+  try {
+    reference_series(table, "eta_left", "[m]", 0.6);
+    FAIL();
+  } catch (const BadScene& error) {
+    EXPECT_STREQ(error.what(), "r.csv:4: the file ends after 1 samples from 0.6 s on; expected 2 at least");
+  }
+}
+
 TEST(Reference, NamesTheLineOfAMistakeAndWhatWasExpected) {
   EXPECT_EQ(error_of(""), "r.csv:1: an empty file; expected a header of column titles");
   EXPECT_EQ(error_of("time,eta_left\n0,1\n"), "r.csv:1: there is no column of times; expected t or t [s]");
@@ -82,6 +95,8 @@ TEST_F(SceneWithReference, ReadsItBesideTheSceneAndNamesItAfterTheFile) {
   const Scene other = read("t,z\n0,5\n1,2\n", "column = \"z\"\nlabel = \"Theory of 1920\"\n");
   EXPECT_EQ(other.look.references[0].label, "Theory of 1920");
   EXPECT_EQ(other.look.references[0].series.value, (std::vector<double>{5, 2}));
+  EXPECT_EQ(read("t,eta_left\n0,1\n1,2\n2,3\n", "from = 1\n").look.references[0].series.value,
+            (std::vector<double>{2, 3}));
 }
 
 TEST_F(SceneWithReference, HashesWhatTheFileHolds) {
