@@ -5,6 +5,7 @@
 
 #include "apps/validate/case.hpp"
 #include "apps/validate/surface.hpp"
+#include "apps/validate/surface_flags.hpp"
 
 // Two tanks at rest, of 0.5 and 20 m. By Froude's law times and speeds grow with the root of the depth, so the large
 // one is run, looked at and judged at the small one's times and speeds.
@@ -20,6 +21,7 @@ struct StillTank {
   double froude;        ///< its times and speeds over those at the model's depth
   Recording recording;  ///< at its own times
   Series error, speed;  ///< RMS pressure error [%], and greatest speed [mm/s], at the model's times and speeds
+  SurfaceFlags flags;   ///< at its own times
 };
 
 /// Root mean square over the fluid of p - rho g (depth - y), over rho g depth [-].
@@ -46,11 +48,13 @@ StillTank make_run(Bench& bench, const std::string& scene) {
       .froude = std::sqrt(p.fluid.depth / model_depth),
       .recording = {},
       .error = {},
-      .speed = {}};
+      .speed = {},
+      .flags = {}};
   const auto look = [&tank](const Frame& frame, const RunInfo& run) {
     for (Series* series : {&tank.error, &tank.speed}) series->t.push_back(frame.time / tank.froude);
     tank.error.y.push_back(100 * hydrostatic_error(frame, run));
     tank.speed.y.push_back(1000 * fastest(frame) / tank.froude);
+    tank.flags.see(frame);
   };
   tank.recording = bench.run(scene,
                              {fmt::format("time.end={}", end * tank.froude),
@@ -65,6 +69,7 @@ void add_figures(std::vector<Figure>& figures, const StillTank& tank) {
     return mean_height(tank.recording, from * tank.froude, to * tank.froude);
   };
   const double change = 100 * (height(9.4, end) - height(0, 0)) / tank.recording.parameters.fluid.depth;
+  const auto changing = [&](double from) { return 100 * tank.flags.changing(from * tank.froude, end * tank.froude); };
   const auto add = [&](const std::string& name, double value, const char* unit, const std::optional<Target>& target) {
     figures.push_back({tank.title + ": " + name, value, unit, target});
   };
@@ -73,6 +78,8 @@ void add_figures(std::vector<Figure>& figures, const StillTank& tank) {
   add("mean surface height, 9.4-10 s less 0 s, of the depth", change, "%", within(0.1));
   add("greatest speed, 0.4-10 s", greatest(tank.speed.between(0.4, end)), "mm/s", at_most(10));
   add("greatest speed, 9-10 s", greatest(tank.speed.between(9, end)), "mm/s", at_most(10));
+  add(fmt::format("surface flags that change in {:g} s, 0.4-10 s", frame_interval), changing(0.4), "%", {});
+  add("the same, 9-10 s", changing(9), "%", {});
 }
 
 }  // namespace
