@@ -1,9 +1,11 @@
 #pragma once
-#include "apps/scene.hpp"
+#include <vector>
+
+#include "apps/setting.hpp"
 
 namespace seiche::apps {
 
-/// Throws BadScene where [look] names a sensor that the scene doesn't have.
-void check_curve_sensors(const Scene& scene);
+/// A complaint for each sensor that [look] names and the scene doesn't have. `settings` are those that made the scene.
+std::vector<Complaint> curve_complaints(const Settings& settings, const Scene& scene);
 
 }  // namespace seiche::apps

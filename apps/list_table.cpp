@@ -55,6 +55,7 @@ const std::vector<List>& lists() {
            {"file", "", AT(look.references, file), Text{},
             "CSV with a column t or t [s], its path from the scene's folder", true},
            {"column", "", AT(look.references, column), Text{}, "of the file; empty: named as the sensor"},
+           {"from", "s", AT(look.references, from), Range{0, 1e5}, "what comes before it isn't shown"},
        }},
   };
   return table;

@@ -55,20 +55,22 @@ std::string unit_of_sensor(const std::string& name, const std::vector<std::strin
 
 }  // namespace
 
-render::Series reference_series(const Csv& table, const std::string& column, const std::string& unit) {
+render::Series reference_series(const Csv& table, const std::string& column, const std::string& unit, double from) {
   const std::size_t times = time_column(table), values = value_column(table, column, unit);
-  if (table.rows() < 2)
-    table.refuse_end(fmt::format("the file ends after {} samples; expected 2 at least", table.rows()));
   render::Series series;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const double time = table.number(row, times);
-    if (row > 0 && time < series.time.back())
-      table.refuse(row, fmt::format("t = {:g} s; expected no time before the {:g} s of the line above", time,
-                                    series.time.back()));
+    const double time = table.number(row, times), above = row > 0 ? table.number(row - 1, times) : time;
+    const double value =
+        table.is_empty(row, values) ? std::numeric_limits<double>::quiet_NaN() : table.number(row, values);
+    if (time < above)
+      table.refuse(row, fmt::format("t = {:g} s; expected no time before the {:g} s of the line above", time, above));
+    if (time < from) continue;
     series.time.push_back(time);
-    series.value.push_back(table.is_empty(row, values) ? std::numeric_limits<double>::quiet_NaN()
-                                                       : table.number(row, values));
+    series.value.push_back(value);
   }
+  if (series.time.size() < 2)
+    table.refuse_end(fmt::format("the file ends after {} samples{}; expected 2 at least", series.time.size(),
+                                 from > 0 ? fmt::format(" from {:g} s on", from) : ""));
   return series;
 }
 
@@ -78,7 +80,7 @@ void read_references(Scene& scene, const std::filesystem::path& folder) {
     const Csv table = read_csv((folder / reference.file).string(), "reference file");
     if (reference.column.empty()) reference.column = reference.of;
     if (reference.label.empty()) reference.label = std::filesystem::path(reference.file).stem().string();
-    reference.series = reference_series(table, reference.column, unit_of_sensor(reference.of, sensors));
+    reference.series = reference_series(table, reference.column, unit_of_sensor(reference.of, sensors), reference.from);
   }
 }
 

@@ -90,7 +90,7 @@ Scene parse_scene(const std::string& toml, const std::string& file, const std::v
   } catch (const BadParameters& error) {
     throw BadScene(fmt::format("{}: {}", file, error.what()));
   }
-  check_curve_sensors(scene);
+  if (auto complaints = curve_complaints(all, scene); !complaints.empty()) refuse(std::move(complaints));
   read_references(scene, fs::path(file).parent_path());
   return scene;
 }

@@ -16,7 +16,7 @@ Line sample(double x, double y, double font) { return {{x, y}, {x + mark * font,
 }  // namespace
 
 Dashes dashes_of(std::size_t reference) {
-  constexpr Dashes all[] = {{0.42, 0.26}, {0.16, 0.2}, {0.8, 0.26}};
+  constexpr Dashes all[] = {{0.42, 0.26}, {0.25, 0.25}, {0.8, 0.26}};
   return all[reference % std::size(all)];
 }
 

@@ -17,6 +17,7 @@ struct Reference {
   std::string label;   ///< what the picture calls it
   std::string file;    ///< CSV that it comes from
   std::string column;  ///< of the file
+  double from = 0;     ///< what comes before it is left out [s]
   Series series;
 };
 

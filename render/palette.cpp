@@ -17,7 +17,7 @@ Palette palette(const std::string& background) {
           .shade = {240, 241, 243},
           .grid = {222, 224, 227},
           .curve = line_colours[0],
-          .references = {{{40, 40, 40}, line_colours[3], line_colours[2]}}};
+          .references = {{{40, 40, 40}, line_colours[1], line_colours[2]}}};
 }
 
 }  // namespace seiche::render

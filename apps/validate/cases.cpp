@@ -4,7 +4,7 @@ namespace seiche::validate {
 
 std::vector<Case> all_cases() {
   return {
-      {"still-tank", "still water stays still under its hydrostatic pressure", still_tank},
+      {"still-tank", "still water stays still under its hydrostatic pressure, in tanks of 0.5 and 20 m", still_tank},
       {"pan2008", "surge near resonance: pressure, wall elevations and profiles against nonlinear potential theory",
        pan2008},
       {"standing-wave", "period and decay of a free wave against the dispersion relation and 2 nu k^2", standing_wave},

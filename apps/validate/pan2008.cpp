@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "apps/validate/filter.hpp"
@@ -13,8 +15,6 @@ namespace seiche::validate {
 namespace {
 
 using namespace pan;
-
-constexpr double cut = 10;  // noise is what lies above it [Hz]
 
 /// One spacing's run, and what is asked of it; nothing where the run is too short for it.
 struct Resolution {
@@ -97,24 +97,6 @@ void add_level_figures(std::vector<Figure>& figures, const std::string& title, c
       {title + "particles lost in 10 s", static_cast<double>(run.recording.statistics.leaked), "", at_most(0)});
 }
 
-/// How far another code is from the same theory, to judge the others by.
-void add_peer_figures(std::vector<Figure>& figures, const Bench& bench, const References& theory, double weight) {
-  constexpr const char* peer = "vof_2p5mm_slip_impulsive";
-  const std::string title = "interFoam, 2.5 mm: ";
-  const auto level = [&](double from, double to) {
-    return compare(bench.reference("theory_fnpf_impulsive", "t", "eta_left_x20mm"),
-                   bench.reference(peer, "t", "eta_left_x20mm"), {from, to});
-  };
-  const Series pressure = low_pass(bench.reference(peer, "t", "p_left_bottom"), 0.5, 4, cut);
-  figures.push_back(
-      {title + "elevation 20 mm off the left wall, relative L2, 0-3 s", level(0, 3).relative_l2(), "", {}});
-  figures.push_back({title + "the same, RMS over max, 0.5-4 s", 100 * level(0.5, 4).of_most(), "%", {}});
-  figures.push_back({title + "corner pressure below 10 Hz less its mean error, RMS over max, 0.5-4 s",
-                     100 * compare(theory.pressure, pressure, {0.5, 4, weight}).unbiased_of_most(),
-                     "%",
-                     {}});
-}
-
 }  // namespace
 
 Findings pan2008(Bench& bench) {
@@ -131,6 +113,10 @@ Findings pan2008(Bench& bench) {
     spacings.push_back(of.spacing);
     errors.push_back(profile_error(runs.back(), theory));
     findings.figures.push_back({title + "profiles at 1, 2, 3 s, RMS distance", 1000 * errors.back(), "mm", {}});
+    findings.figures.push_back({fmt::format("{}surface flags that change in {:g} s, 0.5-3 s", title, frame_interval),
+                                100 * runs.back().flags.changing(0.5, 3),
+                                "%",
+                                {}});
   }
   if (runs.size() == resolutions.size())
     findings.figures.push_back({"order of the profiles' distance in l0", order(spacings, errors), "", at_least(1)});

@@ -28,9 +28,12 @@ double Run::weight() const {
 
 Run make_run(Bench& bench, double spacing, double end) {
   const std::vector<std::string> settings{fmt::format("particles.spacing={}", spacing), fmt::format("time.end={}", end),
-                                          "output.frame_rate=20"};
+                                          fmt::format("output.frame_rate={}", 1 / frame_interval)};
   const double length = bench.scene("pan2008", settings).parameters.tank.length;
-  return {bench.run("pan2008", settings, {}, stations(length, 60))};
+  Run run;
+  const auto look = [&run](const Frame& frame, const RunInfo&) { run.flags.see(frame); };
+  run.recording = bench.run("pan2008", settings, look, stations(length, 60));
+  return run;
 }
 
 std::string millimetres(double spacing) { return fmt::format("{:g} mm", 1000 * spacing); }

@@ -4,9 +4,12 @@
 #include <vector>
 
 #include "apps/validate/case.hpp"
+#include "apps/validate/surface_flags.hpp"
 
 // The runs of the case "pan2008", what they are held against, and how both are drawn.
 namespace seiche::validate::pan {
+
+constexpr double cut = 10;  ///< noise is what lies above it [Hz]
 
 /// Fully nonlinear potential theory.
 struct References {
@@ -17,9 +20,12 @@ struct References {
 
 References read_references(const Bench& bench);
 
+constexpr double frame_interval = 0.05;  ///< of the runs [s]
+
 /// A run's sensors, with 60 wave gauges along the tank.
 struct Run {
   Recording recording;
+  SurfaceFlags flags;
 
   const Series& left() const { return recording.sensors.at("eta_left [m]"); }
   const Series& right() const { return recording.sensors.at("eta_right [m]"); }
@@ -29,6 +35,10 @@ struct Run {
 };
 
 Run make_run(Bench& bench, double spacing, double end);
+
+/// Adds how far another code is from the same theory, to judge the runs by.
+/// @param weight rho g h [Pa]
+void add_peer_figures(std::vector<Figure>& figures, const Bench& bench, const References& theory, double weight);
 
 /// As in "2.5 mm".
 std::string millimetres(double spacing);

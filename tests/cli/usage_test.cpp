@@ -102,9 +102,12 @@ TEST(Usage, EachBadSceneExitsWith2AndNamesTheFault) {
   EXPECT_EQ(error_of("", {"--set", "tank.lenght=1"}),
             "--set tank.lenght=1: 'tank.lenght' is no key of a scene; did you mean 'tank.length'?\n");
   EXPECT_EQ(error_of("", {"--set", "look.curves=eta_lft"}),
-            "x.toml: [look] curves = 'eta_lft' is no sensor of this scene; expected one of p_left_bottom, eta_left, "
-            "eta_right, force_x, force_y, moment, kinetic_energy, potential_energy, volume, x_mass, y_mass; did you "
+            "--set look.curves=eta_lft: [look] curves = 'eta_lft' is no sensor of this scene; expected one of "
+            "p_left_bottom, eta_left, eta_right, force_x, force_y, moment, kinetic_energy, potential_energy, volume, "
+            "x_mass, y_mass; did you "
             "mean 'eta_left'?\n");
+  EXPECT_EQ(error_of("[look]\ncurves = \"eta_left, p_roof\"\n").substr(0, 40),
+            "x.toml:2:10: [look] curves = 'p_roof' is");
   EXPECT_EQ(error_of("[look]\ncurves = \"a, b, c, d\"\n"),
             "x.toml:2:10: [look] curves = 'a, b, c, d' cannot be used; expected auto, none, or up to 3 sensors, as in "
             "eta_left, p_left_bottom\n");

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "apps/lists.hpp"
 #include "apps/options.hpp"
 #include "apps/scene_file.hpp"
+#include "apps/scene_text.hpp"
+#include "solver/simulation.hpp"
 #include "tests/unit/apps/files.hpp"
 
 // The README and the scenes that come with the program must not fall behind it.
@@ -41,6 +44,34 @@ TEST(Scenes, AreAllGoodAndNamedInTheReadme) {
     EXPECT_NE(readme.find(fmt::format("`{}`", entry.path().filename().string())), std::string::npos) << entry.path();
   }
   EXPECT_GE(count, 5);
+}
+
+// A tank's size must not be in the method's defaults.
+TEST(Scenes, TheLargeStillTankIsTheSmallOneMadeLargerAndHasNoKeysOfItsOwnBeside) {
+  const Scene small = read_scene((source / "scenes/still-tank.toml").string(), {});
+  Scene large = read_scene((source / "scenes/still-lng.toml").string(), {});
+  Parameters &p = large.parameters, q = small.parameters;
+  EXPECT_NEAR(p.fluid.depth / p.particles.spacing, q.fluid.depth / q.particles.spacing, 1e-9);
+  EXPECT_NEAR(p.tank.length / p.particles.spacing, q.tank.length / q.particles.spacing, 1e-9);
+  EXPECT_NEAR(p.tank.length / q.tank.length, 40, 1e-9);
+  p.fluid.depth = q.fluid.depth;
+  p.tank = q.tank;
+  p.particles = q.particles;
+  p.time.end = q.time.end;
+  large.output.frame_rate = small.output.frame_rate;
+  EXPECT_EQ(scene_text(large), scene_text(small));
+}
+
+// What the README says of the columns, and what `seiche validate` reads.
+TEST(Scenes, Pan2008HasTheDefaultSensorsAndOneWhereVofIsGood) {
+  const Scene scene = read_scene((source / "scenes/pan2008.toml").string(), {});
+  const std::vector<std::string> columns = sensor_columns(scene.parameters);
+  for (const char* column : {"p_left_bottom [Pa]", "eta_left [m]", "eta_right [m]", "eta_left_20mm [m]"})
+    EXPECT_EQ(std::count(columns.begin(), columns.end(), column), 1) << column;
+  for (const render::Reference& reference : scene.look.references) {
+    const bool rings = reference.label == "VOF" && reference.of == "p_left_bottom";
+    EXPECT_EQ(reference.series.time.front(), rings ? 0.5 : 0) << reference.of << ", " << reference.label;
+  }
 }
 
 }  // namespace

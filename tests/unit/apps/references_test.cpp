@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "apps/scene_file.hpp"
 #include "apps/scene_text.hpp"
+#include "tests/unit/apps/errors_of.hpp"
 #include "tests/unit/apps/files.hpp"
 
 namespace seiche::apps {
@@ -33,6 +35,19 @@ TEST(Reference, EmptyCellsAreGaps) {
   ASSERT_EQ(series.value.size(), 3u);
   EXPECT_TRUE(std::isnan(series.value[1]));
   EXPECT_EQ(series.value[2], 3);
+}
+
+TEST(Reference, BeginsWhereItIsToldTo) {
+  const Csv table("t,eta_left\n0,1\n0.5,2\n1,3\n", "r.csv");
+  const auto series = reference_series(table, "eta_left", "[m]", 0.5);
+  EXPECT_EQ(series.time, (std::vector<double>{0.5, 1}));
+  EXPECT_EQ(series.value, (std::vector<double>{2, 3}));
+  try {
+    reference_series(table, "eta_left", "[m]", 0.6);
+    FAIL();
+  } catch (const BadScene& error) {
+    EXPECT_STREQ(error.what(), "r.csv:4: the file ends after 1 samples from 0.6 s on; expected 2 at least");
+  }
 }
 
 TEST(Reference, NamesTheLineOfAMistakeAndWhatWasExpected) {
@@ -80,6 +95,8 @@ TEST_F(SceneWithReference, ReadsItBesideTheSceneAndNamesItAfterTheFile) {
   const Scene other = read("t,z\n0,5\n1,2\n", "column = \"z\"\nlabel = \"Theory of 1920\"\n");
   EXPECT_EQ(other.look.references[0].label, "Theory of 1920");
   EXPECT_EQ(other.look.references[0].series.value, (std::vector<double>{5, 2}));
+  EXPECT_EQ(read("t,eta_left\n0,1\n1,2\n2,3\n", "from = 1\n").look.references[0].series.value,
+            (std::vector<double>{2, 3}));
 }
 
 TEST_F(SceneWithReference, HashesWhatTheFileHolds) {
@@ -91,14 +108,31 @@ TEST_F(SceneWithReference, HashesWhatTheFileHolds) {
 TEST_F(SceneWithReference, SensorsThatArentThereAreNamedWithTheNearestOne) {
   EXPECT_EQ(error("[[look.reference]]\nof = \"eta_lft\"\nfile = \"data/theory.csv\"\n"),
             scene +
-                ": [[look.reference]] of = 'eta_lft' is no sensor of this scene; expected one of p_left_bottom, "
+                ":5:6: [[look.reference]] of = 'eta_lft' is no sensor of this scene; expected one of p_left_bottom, "
                 "eta_left, eta_right, force_x, force_y, moment, kinetic_energy, potential_energy, volume, x_mass, "
                 "y_mass; did "
                 "you mean 'eta_left'?");
   EXPECT_EQ(error("[look]\ncurves = \"eta_left, p_roof\"\n"),
             scene +
-                ": [look] curves = 'p_roof' is no sensor of this scene; expected one of p_left_bottom, eta_left, "
+                ":5:10: [look] curves = 'p_roof' is no sensor of this scene; expected one of p_left_bottom, eta_left, "
                 "eta_right, force_x, force_y, moment, kinetic_energy, potential_energy, volume, x_mass, y_mass");
+}
+
+TEST_F(SceneWithReference, SensorsThatArentThereAreNamedInTheOrderOfTheFileThenOfTheFlags) {
+  const std::string text = "[[look.reference]]\nof = \"a\"\nfile = \"r.csv\"\n[look]\ncurves = \"eta_left, b, c\"\n";
+  const auto places = [&](const std::vector<Override>& overrides) {
+    std::istringstream all(errors_of(text, overrides));
+    std::string found;
+    for (std::string line; std::getline(all, line);) found += line.substr(0, line.find(" is no sensor")) + "\n";
+    return found;
+  };
+  EXPECT_EQ(places({}),
+            "x.toml:2:6: [[look.reference]] of = 'a'\n"
+            "x.toml:5:10: [look] curves = 'b'\n"
+            "x.toml:5:10: [look] curves = 'c'\n");
+  const std::string list = "look.reference=[{of=\"d\", file=\"r.csv\"}]";
+  EXPECT_EQ(places({parse_set("look.curves=none"), parse_set(list)}),
+            "--set " + list + ": [[look.reference]] of = 'd'\n");
 }
 
 TEST_F(SceneWithReference, ThatIsMissingIsNamed) {
