@@ -57,7 +57,8 @@ const Written curves{get_curves, set_curves, "auto, none, or up to 3 sensors, as
 const std::vector<Option>& options() {
   static const std::vector<Option> table{
       {"", "preset", "", AT(parameters.preset), Choices{"stabilised", "paper"},
-       "scheme that [method] starts from: the paper's, or one that keeps the pressure smooth"},
+       "scheme that [method], pressure.solver and courant start from: the paper's, or one that keeps the pressure "
+       "smooth"},
       {"", "gravity", "m/s^2", AT(parameters.gravity), Range{0, 100, true}, "downwards"},
 
       {"fluid", "density", "kg/m^3", AT(parameters.fluid.density), Range{0, 1e5, true}, "rho"},
@@ -127,8 +128,8 @@ const std::vector<Option>& options() {
       {"method", "wall", "", AT(parameters.method.wall), Choices{"free-slip", "no-slip"},
        "what walls do to the viscous term"},
 
-      {"pressure", "solver", "", AT(parameters.pressure.solver), Choices{"iccg", "sor", "cholmod"},
-       "of the pressure equation"},
+      {"pressure", "solver", "", AT(parameters.pressure.solver), Choices{"amg", "iccg", "sor", "cholmod"},
+       "of the pressure equation; amg with preset stabilised, iccg with paper"},
       {"pressure", "tolerance", "", AT(parameters.pressure.tolerance), Range{0, 0.1, true},
        "relative residual at which an iterative solver stops"},
       {"pressure", "max_iterations", "", AT(parameters.pressure.max_iterations), Range{1, 1e6},

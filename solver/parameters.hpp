@@ -100,8 +100,8 @@ struct Parameters {
   } method;
 
   struct Pressure {
-    std::string solver = "iccg";  ///< iccg | sor | cholmod
-    double tolerance = 1e-4;      ///< relative residual at which an iterative solver stops
+    std::string solver = "amg";  ///< amg | iccg | sor | cholmod
+    double tolerance = 1e-4;     ///< relative residual at which an iterative solver stops
     int max_iterations = 2000;
   } pressure;
 

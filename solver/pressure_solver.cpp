@@ -4,6 +4,8 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <stdexcept>
 
+#include "solver/amg_solver.hpp"
+
 namespace seiche::solver {
 namespace {
 
@@ -80,10 +82,11 @@ class Cholmod : public PressureSolver {
 }  // namespace
 
 std::unique_ptr<PressureSolver> make_pressure_solver(const std::string& name, double tolerance, int max_iterations) {
+  if (name == "amg") return std::make_unique<AmgSolver>(tolerance, max_iterations);
   if (name == "iccg") return std::make_unique<Iccg>(tolerance, max_iterations);
   if (name == "sor") return std::make_unique<Sor>(tolerance, max_iterations);
   if (name == "cholmod") return std::make_unique<Cholmod>();
-  throw std::invalid_argument("no pressure solver is called '" + name + "'; there are iccg, sor and cholmod");
+  throw std::invalid_argument("no pressure solver is called '" + name + "'; there are amg, iccg, sor and cholmod");
 }
 
 std::string cholmod_version() {

@@ -20,6 +20,7 @@ class PressureSolver {
 };
 
 /// By name:
+///  amg      conjugate gradients with aggregation multigrid, whose iterations don't grow with the tank (AmgSolver);
 ///  iccg     conjugate gradients with incomplete Cholesky (Eigen), the paper's;
 ///  sor      successive over-relaxation (omega = 1.5), the paper's other choice;
 ///  cholmod  sparse Cholesky factorisation (SuiteSparse), exact to rounding.

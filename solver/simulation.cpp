@@ -15,6 +15,7 @@ namespace seiche {
 void apply_preset(Parameters& p, const std::string& preset) {
   if (preset == "stabilised") {
     p.method = {};
+    p.pressure.solver = Parameters::Pressure{}.solver;
     p.time.courant = Parameters::Time{}.courant;
   } else if (preset == "paper") {
     // The paper names no radius, no parting distance and no cap: r_e = 2.1 l0 and 3.1 l0 (Laplacian) are the usual ones
@@ -34,6 +35,7 @@ void apply_preset(Parameters& p, const std::string& preset) {
     m.shift = 0;
     m.viscous = "laplacian";
     m.wall = "no-slip";
+    p.pressure.solver = "iccg";
     p.time.courant = 0.1;
   } else {
     throw BadParameters(fmt::format("preset '{}' is neither paper nor stabilised", preset));
@@ -77,7 +79,7 @@ void check_parameters(const Parameters& p) {
   check_name("method.separation", p.method.separation, {"collide", "part", "none"});
   check_name("method.viscous", p.method.viscous, {"strain-rate", "laplacian"});
   check_name("method.wall", p.method.wall, {"free-slip", "no-slip"});
-  check_name("pressure.solver", p.pressure.solver, {"iccg", "sor", "cholmod"});
+  check_name("pressure.solver", p.pressure.solver, {"amg", "iccg", "sor", "cholmod"});
   const double l0 = p.particles.spacing;
   check_whole("tank.length", p.tank.length, l0);
   check_whole("tank.height", p.tank.height, l0);

@@ -34,6 +34,9 @@ TEST(SceneFile, ThePresetComesFirstWhereverItIsSet) {
   EXPECT_EQ(p.preset, "paper");
   EXPECT_EQ(p.method.source, "density");
   EXPECT_EQ(p.method.kernel, "KF5");
+  EXPECT_EQ(p.pressure.solver, "iccg");
+  EXPECT_EQ(parse_scene("preset = \"paper\"\n[pressure]\nsolver = \"amg\"\n", "x.toml", {}).parameters.pressure.solver,
+            "amg");
 
   const Override preset{"--set preset=paper", "preset", "paper"};
   EXPECT_EQ(parse_scene("[method]\nsource = \"mixed\"\n", "x.toml", {preset}).parameters.method.source, "mixed");
@@ -96,7 +99,7 @@ TEST(SceneFile, AValueOutOfRangeOrNotFiniteIsRefused) {
 
 TEST(SceneFile, AWrongChoiceListsTheRightOnes) {
   EXPECT_EQ(errors_of("[pressure]\nsolver = \"icg\"\n"),
-            "x.toml:2:10: [pressure] solver = 'icg' is none of its choices; expected one of iccg, sor, cholmod; "
+            "x.toml:2:10: [pressure] solver = 'icg' is none of its choices; expected one of amg, iccg, sor, cholmod; "
             "did you mean 'iccg'?");
 }
 

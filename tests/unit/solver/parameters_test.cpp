@@ -132,6 +132,7 @@ TEST(Preset, PaperIsThePapersScheme) {
   EXPECT_EQ(p.method.shift, 0);
   EXPECT_EQ(p.method.wall, "no-slip");
   EXPECT_EQ(p.time.courant, 0.1);
+  EXPECT_EQ(p.pressure.solver, "iccg");
 }
 
 TEST(Preset, StabilisedTakesEverythingBack) {
@@ -151,6 +152,8 @@ TEST(Preset, StabilisedTakesEverythingBack) {
   EXPECT_EQ(p.method.shift, fresh.method.shift);
   EXPECT_EQ(p.method.wall, fresh.method.wall);
   EXPECT_EQ(p.time.courant, fresh.time.courant);
+  EXPECT_EQ(fresh.pressure.solver, "amg");
+  EXPECT_EQ(p.pressure.solver, "amg");
 }
 
 TEST(Preset, LeavesTheCaseAlone) {

@@ -27,9 +27,9 @@ struct Solvers : ::testing::TestWithParam<std::string> {
 
 struct IterativeSolvers : Solvers {};
 
-INSTANTIATE_TEST_SUITE_P(, IterativeSolvers, ::testing::Values("iccg", "sor"),
+INSTANTIATE_TEST_SUITE_P(, IterativeSolvers, ::testing::Values("amg", "iccg", "sor"),
                          [](const auto& test) { return test.param; });
-INSTANTIATE_TEST_SUITE_P(, Solvers, ::testing::Values("iccg", "sor", "cholmod"),
+INSTANTIATE_TEST_SUITE_P(, Solvers, ::testing::Values("amg", "iccg", "sor", "cholmod"),
                          [](const auto& test) { return test.param; });
 
 TEST_P(Solvers, FindTheExactAnswer) {
@@ -104,7 +104,7 @@ TEST(PressureSolver, OfAnotherNameIsRefusedWithTheNamesThereAre) {
     make_pressure_solver("iccgg", 1e-4, 10);
     FAIL();
   } catch (const std::invalid_argument& error) {
-    for (const char* word : {"'iccgg'", "iccg", "sor", "cholmod"})
+    for (const char* word : {"'iccgg'", "amg", "iccg", "sor", "cholmod"})
       EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
   }
 }
