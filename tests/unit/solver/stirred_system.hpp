@@ -29,7 +29,7 @@ struct StirredSystem {
       std::fill(tank.s.surface.begin(), tank.s.surface.end(), 0);
       std::fill(tank.near.begin(), tank.near.end(), 0);
     }
-    set_surface_pressure(1, tank.everywhere(), l0, flat_surface_density<D>(tank.w, l0), tank.n, tank.s);
+    tank.set_surface_pressure();
     system = tank.system(tank.ghost(), diagonal * tank.ref.n0);
     b = system.right();
     for (int k = 0; k < b.size(); ++k) b[k] += 10 * std::sin(k);
