@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-#include "solver/neighbours.hpp"
+#include "solver/pairs.hpp"
 #include "solver/reference.hpp"
 
 // What bounds the liquid in the pressure equation. Each boundary answers: is the pressure of particle i unknown; what
@@ -51,21 +51,19 @@ struct GhostBoundary {
 /// Pressure at wall particles [Pa], for sensors and pictures: the mean over the fluid around of what each would have
 /// behind the wall. 0 where there is no fluid.
 /// @param slope rho f at each fluid particle [Pa/m]
-template <int D, class K>
-void extend_to_walls(const K& w, const Vecs<D>& slope, const Neighbours<D>& list, State<D>& s) {
+template <int D>
+void extend_to_walls(const Pairs<D>& pairs, const Vecs<D>& slope, State<D>& s) {
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     if (s.kind[i] != Kind::wall) continue;
     double sum = 0, weights = 0;
-    for (int j : list[i]) {
-      if (s.kind[j] != Kind::fluid) continue;
-      const Vec<D> rji = s.position[i] - s.position[j];
-      const double r = rji.norm();
-      if (!(r < w.support)) continue;
-      sum += w(r) * (s.pressure[j] + rise_across(s.normal[i], slope[j], rji));
-      weights += w(r);
-    }
+    pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
+      if (s.kind[j] != Kind::fluid) return;
+      const double w = weight * rij.squaredNorm();
+      sum += w * (s.pressure[j] - rise_across(s.normal[i], slope[j], rij));
+      weights += w;
+    });
     s.pressure[i] = weights > 0 ? sum / weights : 0;
   }
 }

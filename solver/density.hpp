@@ -1,24 +1,22 @@
 #pragma once
-#include "solver/neighbours.hpp"
+#include "solver/pairs.hpp"
 #include "solver/reference.hpp"
 
 namespace seiche::solver {
 
 /// Particle number density, equation (3): n_i = sum_j w(r_ij), and the number of neighbours within the support.
 /// All kinds count, walls as far as they are wet (in the number: if more than half); 0 at dummies.
-template <int D, class K>
-void number_density(const K& w, const Neighbours<D>& list, const State<D>& s, Scalars& n, std::vector<int>& count) {
+template <int D>
+void number_density(const Pairs<D>& pairs, const State<D>& s, Scalars& n, std::vector<int>& count) {
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     double sum = 0;
     int near = 0;
-    for (int j : list[i]) {
-      const double d = (s.position[j] - s.position[i]).norm();
-      if (!(d < w.support)) continue;
-      sum += s.wet[j] * w(d);
+    pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
+      sum += s.wet[j] * weight * rij.squaredNorm();
       near += s.wet[j] > 0.5;
-    }
+    });
     n[i] = sum;
     count[i] = near;
   }
@@ -35,16 +33,15 @@ inline void mark_free_surface(const Reference& ref, double beta, double count_sh
     surface[i] = kind[i] != Kind::dummy && n[i] < beta * ref.n0 && (count_share == 0 || count[i] <= most_count);
 }
 
-/// 1 at the free surface and wherever a neighbour within `reach` is on it.
+/// 1 at the free surface and wherever a neighbour is on it.
 template <int D>
-void mark_near_surface(double reach, const Neighbours<D>& list, const Vecs<D>& r,
-                       const std::vector<std::uint8_t>& surface, std::vector<std::uint8_t>& near) {
-  const int size = static_cast<int>(r.size());
+void mark_near_surface(const Pairs<D>& pairs, const std::vector<std::uint8_t>& surface,
+                       std::vector<std::uint8_t>& near) {
+  const int size = static_cast<int>(surface.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     near[i] = surface[i];
-    for (int j : list[i])
-      if (surface[j] && (r[j] - r[i]).squaredNorm() < reach * reach) near[i] = 1;
+    for (int j : pairs[i]) near[i] |= surface[j];
   }
 }
 

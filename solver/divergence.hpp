@@ -16,24 +16,21 @@ namespace seiche::solver {
 /// 2009, Tanaka & Masunaga 2010). Walls stand still. Behind one the fluid's velocity along the normal goes on mirrored,
 /// u_j.n = -u_i.n, so that over the layers beside a wall the sum is the flow that the wall stops, all of it; along the
 /// wall nothing counts, so that fluid may slide. Walls count as far as they are wet.
-template <int D, class K>
-void velocity_divergence(const K& w, double n0, const Neighbours<D>& list, const State<D>& s, Scalars& out) {
+template <int D>
+void velocity_divergence(const Pairs<D>& pairs, double n0, const State<D>& s, Scalars& out) {
   using Matrix = Eigen::Matrix<double, D, D>;
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     const bool fluid = s.kind[i] == Kind::fluid;
     bool walled = !fluid;
+    const Vec<D> ui = s.velocity[i];
     double sum = 0;
     Matrix gradient = Matrix::Zero(), moment = Matrix::Zero();
-    for (int j : list[i]) {
+    pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
       const bool fluid_j = s.kind[j] == Kind::fluid;
-      if ((!fluid && !fluid_j) || s.wet[j] == 0) continue;
-      const Vec<D> rij = s.position[j] - s.position[i];
-      const double r2 = rij.squaredNorm();
-      if (!(r2 < w.support * w.support)) continue;
-      const Vec<D> du = s.velocity[j] - s.velocity[i];
-      const double weight = w(std::sqrt(r2)) / r2;
+      if ((!fluid && !fluid_j) || s.wet[j] == 0) return;
+      const Vec<D> du = s.velocity[j] - ui;
       if (fluid && fluid_j) {
         sum += weight * du.dot(rij);
         gradient += weight * du * rij.transpose();
@@ -42,7 +39,7 @@ void velocity_divergence(const K& w, double n0, const Neighbours<D>& list, const
         walled = true;
         sum += (fluid ? s.wet[j] : 1) * weight * 2 * rise_across(fluid ? s.normal[j] : s.normal[i], du, rij);
       }
-    }
+    });
     const bool singular = walled || !((D / n0 * moment).determinant() > least_moment);
     out[i] = singular ? D / n0 * sum : (gradient * moment.inverse()).trace();
   }

@@ -2,7 +2,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "solver/neighbours.hpp"
+#include "solver/pairs.hpp"
 
 namespace seiche::solver {
 
@@ -68,25 +68,22 @@ Vec<D> combine(CorrectedGradient, const GradientSums<D>& s, double n0) {
 /// @param slope rho f at each fluid particle, the slope of the pressure across walls [Pa/m], which then stands for the
 /// wall particles' pressures;
 ///        null: wall particles have pressures of their own
-template <int D, class K, class Model>
-void pressure_gradient(Model model, const K& w, double n0, const Vecs<D>* slope, const Neighbours<D>& list,
-                       const State<D>& s, Vecs<D>& out) {
+template <int D, class Model>
+void pressure_gradient(Model model, const Pairs<D>& pairs, double n0, const Vecs<D>* slope, const State<D>& s,
+                       Vecs<D>& out) {
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     out[i].setZero();
     if (s.kind[i] != Kind::fluid) continue;
     detail::GradientSums<D> sums;
-    for (int j : list[i]) {
-      const Vec<D> rij = s.position[j] - s.position[i];
-      const double r2 = rij.squaredNorm();
-      if (!(r2 < w.support * w.support)) continue;
-      const double weight = s.wet[j] * w(std::sqrt(r2)) / r2;
+    pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
+      weight *= s.wet[j];
       if (slope && s.kind[j] != Kind::fluid)
         sums.add_wall(weight, rij, s.normal[j], (*slope)[i]);
       else if (s.kind[j] != Kind::dummy)
         sums.add(weight, rij, s.pressure[j] - s.pressure[i]);
-    }
+    });
     out[i] = detail::combine(model, sums, n0);
   }
 }

@@ -1,6 +1,8 @@
 #pragma once
 #include <omp.h>
 
+#include <memory>
+
 #include "solver/body_force.hpp"
 #include "solver/density.hpp"
 #include "solver/divergence.hpp"
@@ -21,14 +23,18 @@
 
 namespace seiche::solver {
 
-/// A kernel with one support, and its constants on the initial lattice.
-template <int D, class K>
+/// The kernel that the parameters name. Throws BadParameters.
+Kernel find_kernel(const Parameters::Method& method, double support);
+
+/// A kernel with one support, its constants on the initial lattice, and the pairs within it.
+template <int D>
 struct Range {
-  K w;
+  Kernel w;
   Reference ref;
-  Range(K kernel, double radius, double l0) : w(kernel) {
-    w.support = radius * l0;
-    ref = lattice_reference<D>(w, l0);
+  std::shared_ptr<Pairs<D>> pairs = std::make_shared<Pairs<D>>();  ///< ranges of one radius share them
+
+  Range(const Parameters& p, double radius) : w(find_kernel(p.method, radius * p.particles.spacing)) {
+    ref = std::visit([&](auto kernel) { return lattice_reference<D>(kernel, p.particles.spacing); }, w);
   }
 };
 
@@ -43,11 +49,11 @@ class Stage {
   double start_;
 };
 
-/// The moving-particle semi-implicit method (Pan, Zhang, Lu 2008) in D dimensions with kernel K.
-template <int D, class K>
+/// The moving-particle semi-implicit method (Pan, Zhang, Lu 2008) in D dimensions.
+template <int D>
 class Mps final : public Simulation {
  public:
-  Mps(const Parameters& p, K kernel, double sample_interval);
+  Mps(const Parameters& p, double sample_interval);
 
   void step(double until) override;
   double time() const override { return s_.time; }
@@ -59,6 +65,7 @@ class Mps final : public Simulation {
   void step_project_first(double dt);
   void predict(double dt);
   void refresh_neighbours();
+  void measure_pairs();
   void find_surface();
   void set_force(const BodyForce<D>& force);
   void solve_pressure(double dt, double surface_density);
@@ -91,7 +98,7 @@ class Mps final : public Simulation {
   Motion motion_;
   Box<D> box_;
   double l0_;
-  Range<D, K> density_range_, gradient_range_, laplacian_range_;
+  Range<D> density_range_, gradient_range_, laplacian_range_;
   State<D> s_;
   Neighbours<D> list_;
   PressureSystem<D> system_;
@@ -118,8 +125,8 @@ class Mps final : public Simulation {
   Eigen::VectorXd solution_;
 };
 
-/// For mps_2d.cpp and mps_3d.cpp: the simulation with the kernel that the parameters name.
-template <int D>
-std::unique_ptr<Simulation> make_mps(const Parameters& p, double sample_interval);
+/// Compiled in mps_2d.cpp and mps_3d.cpp.
+extern template class Mps<2>;
+extern template class Mps<3>;
 
 }  // namespace seiche::solver

@@ -2,9 +2,6 @@
 
 namespace seiche::solver {
 
-template <>
-std::unique_ptr<Simulation> make_mps<2>(const Parameters& p, double sample_interval) {
-  return make_for_kernel<2>(p, sample_interval);
-}
+template class Mps<2>;
 
 }  // namespace seiche::solver

@@ -4,15 +4,15 @@
 // The steps of Mps, apart from the class so that each dimension is compiled once, in its own file.
 namespace seiche::solver {
 
-template <int D, class K>
-Mps<D, K>::Mps(const Parameters& p, K kernel, double sample_interval)
+template <int D>
+Mps<D>::Mps(const Parameters& p, double sample_interval)
     : p_(p),
       motion_(p.motion),
       box_(p),
       l0_(p.particles.spacing),
-      density_range_(kernel, p.method.radius_density, l0_),
-      gradient_range_(kernel, p.method.radius_gradient, l0_),
-      laplacian_range_(kernel, p.method.radius_laplacian, l0_),
+      density_range_(p, p.method.radius_density),
+      gradient_range_(p, p.method.radius_gradient),
+      laplacian_range_(p, p.method.radius_laplacian),
       s_(fill_tank<D>(p)),
       // A skin of 0.3 l0 balances the cost of longer rows against that of making the list more often.
       list_(Vec<D>::Constant(-wall_layers(p.method) * l0_), box_.size.array() + wall_layers(p.method) * l0_,
@@ -20,14 +20,17 @@ Mps<D, K>::Mps(const Parameters& p, K kernel, double sample_interval)
       solver_(make_pressure_solver(p.pressure.solver, p.pressure.tolerance, p.pressure.max_iterations)),
       sensors_(p, sample_interval, s_),
       watch_(p, motion_),
-      wetness_(density_range_.w, l0_),
+      wetness_(std::visit([&](auto w) { return WallWetness<D>(w, l0_); }, density_range_.w)),
       volume_kernel_(l0_),
       whole_volume_(1 + lattice_reference<D>(volume_kernel_, l0_).n0),
-      surface_depth_(surface_depth<D>(density_range_.w, l0_)) {
+      surface_depth_(std::visit([&](auto w) { return surface_depth<D>(w, l0_); }, density_range_.w)) {
+  if (p.method.radius_gradient == p.method.radius_density) gradient_range_.pairs = density_range_.pairs;
+  if (p.method.radius_laplacian == p.method.radius_density) laplacian_range_.pairs = density_range_.pairs;
   for (Kind k : s_.kind)
     ++(k == Kind::fluid ? totals_.fluid_particles : k == Kind::wall ? totals_.wall_particles : totals_.dummy_particles);
   fluid_at_start_ = totals_.fluid_particles;
   refresh_neighbours();
+  measure_pairs();
   find_surface();
   if (const StandingWave wave(p); p.fluid.wave_amplitude > 0)
     each_fluid([&](int i) { s_.velocity[i] = wave.velocity<D>(s_.position[i]); });
@@ -36,16 +39,16 @@ Mps<D, K>::Mps(const Parameters& p, K kernel, double sample_interval)
   sensors_.read(s_);
 }
 
-template <int D, class K>
-FramePtr Mps<D, K>::frame(long index) {
+template <int D>
+FramePtr Mps<D>::frame(long index) {
   auto frame = snapshot(s_, n_, density_range_.ref.n0, motion_);
   frame->index = index;
   frame->readings = sensors_.take();
   return frame;
 }
 
-template <int D, class K>
-void Mps<D, K>::step(double until) {
+template <int D>
+void Mps<D>::step(double until) {
   const double rule = step_rule(p_, fastest_);
   watch_.check_step(s_, rule);
   const double dt = split_evenly(until - s_.time, rule);
@@ -71,13 +74,16 @@ void Mps<D, K>::step(double until) {
 }
 
 /// The paper's order: predict and move (12-14), part close pairs, number density and pressure (3, 10), correct (15-17).
-template <int D, class K>
-void Mps<D, K>::step_move_first(double dt) {
+template <int D>
+void Mps<D>::step_move_first(double dt) {
+  refresh_neighbours();
+  measure_pairs();
   predict(dt);
   move_fluid([&](int i) { return Vec<D>(dt * s_.velocity[i]); });
   refresh_neighbours();
   separate();
   refresh_neighbours();
+  measure_pairs();
   find_surface();
   solve_pressure(dt, p_.fluid.density);
   clip_pressure();
@@ -88,30 +94,31 @@ void Mps<D, K>::step_move_first(double dt) {
 /// The stabilised order: predict (12, 13), project with the weights of the positions at the step's start, then move
 /// with the new velocity, and keep particles apart. That is the symplectic Euler method: a wave of frequency omega
 /// keeps its height, where a move with the mean of old and new velocity lets it grow by omega^2 dt/4 in time.
-template <int D, class K>
-void Mps<D, K>::step_project_first(double dt) {
+template <int D>
+void Mps<D>::step_project_first(double dt) {
   refresh_neighbours();
+  measure_pairs();
   find_surface();
   predict(dt);
   solve_pressure(dt, p_.fluid.density);
   clip_pressure();
   correct_velocity(dt);
   const double share = p_.method.shift * dt * std::sqrt(p_.gravity * p_.fluid.depth) / l0_;
-  particle_shift(density_range_.w, density_range_.ref.n0, share, l0_, list_, near_, s_, change_);
+  particle_shift(*density_range_.pairs, density_range_.ref.n0, share, l0_, near_, s_, change_);
   move_fluid([&](int i) { return Vec<D>(dt * s_.velocity[i] + change_[i]); });
   separate();
 }
 
 /// u* = u + dt (nu Laplacian(u) + f), equations (12) and (13); f is gravity less the inertial forces of the tank's
 /// frame.
-template <int D, class K>
-void Mps<D, K>::predict(double dt) {
+template <int D>
+void Mps<D>::predict(double dt) {
   const Stage stage(totals_.seconds["explicit"]);
   const bool slip = p_.method.wall == "free-slip";
   if (p_.method.viscous == "laplacian")
-    velocity_laplacian(laplacian_range_.w, laplacian_range_.ref, slip, list_, s_, viscous_);
+    velocity_laplacian(*laplacian_range_.pairs, laplacian_range_.ref, slip, s_, viscous_);
   else
-    strain_rate_divergence(laplacian_range_.w, laplacian_range_.ref, slip, list_, s_, viscous_);
+    strain_rate_divergence(*laplacian_range_.pairs, laplacian_range_.ref, slip, s_, viscous_);
   set_force(body_force<D>(motion_, p_.gravity, s_.time, dt));
   // Ghost walls balance f in the pressure equation itself, so there it joins the velocity only after the projection.
   const bool now = !ghost_walls();
@@ -121,8 +128,8 @@ void Mps<D, K>::predict(double dt) {
   });
 }
 
-template <int D, class K>
-void Mps<D, K>::set_force(const BodyForce<D>& force) {
+template <int D>
+void Mps<D>::set_force(const BodyForce<D>& force) {
   force_.resize(s_.size());
   slope_.resize(s_.size());
   force_divergence_ = force.divergence;
@@ -132,8 +139,8 @@ void Mps<D, K>::set_force(const BodyForce<D>& force) {
   });
 }
 
-template <int D, class K>
-void Mps<D, K>::refresh_neighbours() {
+template <int D>
+void Mps<D>::refresh_neighbours() {
   const Stage stage(totals_.seconds["search"]);
   if (!list_.is_stale(s_)) return;
   list_.build(s_);
@@ -145,21 +152,33 @@ void Mps<D, K>::refresh_neighbours() {
   for (Vecs<D>* values : {&change_, &viscous_}) values->resize(s_.size());
 }
 
+/// Measures all pairs at the present positions.
+template <int D>
+void Mps<D>::measure_pairs() {
+  const Stage stage(totals_.seconds["pairs"]);
+  const auto measure = [&](const Range<D>& range) {
+    std::visit([&](auto w) { range.pairs->measure(w, list_, s_); }, range.w);
+  };
+  measure(density_range_);
+  if (gradient_range_.pairs != density_range_.pairs) measure(gradient_range_);
+  if (laplacian_range_.pairs != density_range_.pairs) measure(laplacian_range_);
+}
+
 /// Number density (3) and free surface (11).
-template <int D, class K>
-void Mps<D, K>::find_surface() {
+template <int D>
+void Mps<D>::find_surface() {
   const Stage stage(totals_.seconds["density"]);
-  if (ghost_walls()) wetness_(density_range_.w, density_range_.ref.n0, list_, s_);
-  number_density(density_range_.w, list_, s_, n_, count_);
+  if (ghost_walls()) wetness_(*density_range_.pairs, density_range_.ref.n0, s_);
+  number_density(*density_range_.pairs, s_, n_, count_);
   const double share = p_.method.surface == "density" ? 0 : count_share;
   mark_free_surface(density_range_.ref, p_.method.surface_beta, share, n_, count_, s_.kind, s_.surface);
-  mark_near_surface(density_range_.w.support, list_, s_.position, s_.surface, near_);
+  mark_near_surface(*density_range_.pairs, s_.surface, near_);
 }
 
 /// Solves equation (10) for the pressure at the end of the step.
 /// @param surface_density rho of the pressure's slope below the free surface, for ghost walls; 0: p = 0 there
-template <int D, class K>
-void Mps<D, K>::solve_pressure(double dt, double surface_density) {
+template <int D>
+void Mps<D>::solve_pressure(double dt, double surface_density) {
   const int size = static_cast<int>(s_.size());
   {
     const Stage stage(totals_.seconds["assembly"]);
@@ -179,26 +198,26 @@ void Mps<D, K>::solve_pressure(double dt, double surface_density) {
     else if (!ghost_walls() || s_.kind[i] != Kind::fluid)
       s_.pressure[i] = 0;
   }
-  if (ghost_walls()) extend_to_walls(density_range_.w, slope_, list_, s_);
+  if (ghost_walls()) extend_to_walls(*density_range_.pairs, slope_, s_);
 }
 
 /// Negative pressures become 0: particles that pull at each other clump.
-template <int D, class K>
-void Mps<D, K>::clip_pressure() {
+template <int D>
+void Mps<D>::clip_pressure() {
   for (double& pressure : s_.pressure) pressure = std::max(0.0, pressure);
 }
 
-template <int D, class K>
+template <int D>
 template <class Boundary>
-void Mps<D, K>::assemble(const Boundary& boundary, double dt) {
+void Mps<D>::assemble(const Boundary& boundary, double dt) {
   const Source source(p_, dt);
   const Reference& ref = laplacian_range_.ref;
   const double scale = ref.lambda * ref.n0 / (2 * D), n0 = density_range_.ref.n0;
   if (source.mixed) {
-    velocity_divergence(density_range_.w, n0, list_, s_, divergence_);
+    velocity_divergence(*density_range_.pairs, n0, s_, divergence_);
     volume_excess(volume_kernel_, whole_volume_, list_, s_, excess_);
   }
-  system_.assemble(laplacian_range_.w, definite * ref.n0, boundary, list_, s_);
+  system_.assemble(*laplacian_range_.pairs, definite * ref.n0, boundary, s_);
   solution_.resize(system_.rows());
 #pragma omp parallel for schedule(static)
   for (int k = 0; k < system_.rows(); ++k) {
@@ -209,8 +228,8 @@ void Mps<D, K>::assemble(const Boundary& boundary, double dt) {
   }
 }
 
-template <int D, class K>
-void Mps<D, K>::solve_system() {
+template <int D>
+void Mps<D>::solve_system() {
   if (system_.rows() == 0) return;
   if (!system_.right().allFinite()) watch_.fail_not_finite(s_);
   const SolveReport report = solver_->solve(system_.matrix(), system_.right(), solution_);
@@ -226,11 +245,11 @@ void Mps<D, K>::solve_system() {
 }
 
 /// u = u* - dt/rho grad p, equations (15) and (16); leaves the change of velocity in `change_`.
-template <int D, class K>
-void Mps<D, K>::correct_velocity(double dt) {
+template <int D>
+void Mps<D>::correct_velocity(double dt) {
   const Stage stage(totals_.seconds["gradient"]);
   const auto gradient = [&](auto model) {
-    pressure_gradient(model, gradient_range_.w, gradient_range_.ref.n0, ghost_walls() ? &slope_ : nullptr, list_, s_,
+    pressure_gradient(model, *gradient_range_.pairs, gradient_range_.ref.n0, ghost_walls() ? &slope_ : nullptr, s_,
                       change_);
   };
   if (p_.method.gradient == "corrected") gradient(CorrectedGradient{});
@@ -243,8 +262,8 @@ void Mps<D, K>::correct_velocity(double dt) {
   });
 }
 
-template <int D, class K>
-void Mps<D, K>::separate() {
+template <int D>
+void Mps<D>::separate() {
   const Stage stage(totals_.seconds["separate"]);
   const double distance = p_.method.separation_distance * l0_;
   if (p_.method.separation == "part") part_close_pairs(distance, list_, s_, change_);
@@ -252,8 +271,8 @@ void Mps<D, K>::separate() {
 }
 
 /// Removes fluid that went through a wall or over the rim, and counts it.
-template <int D, class K>
-void Mps<D, K>::take_out_lost() {
+template <int D>
+void Mps<D>::take_out_lost() {
   long leaked = 0, spilled = 0;
   std::vector<int> kept;
   const int size = static_cast<int>(s_.size());
@@ -273,14 +292,15 @@ void Mps<D, K>::take_out_lost() {
   totals_.fluid_particles -= leaked + spilled;
   s_.listed_position.clear();
   refresh_neighbours();
+  measure_pairs();
   find_surface();
 }
 
 /// Impulsive start: relative to the tank, liquid at rest in the lab moves at -(v + w k x d). Between ghost walls that
 /// jump is an impulse, a force over one step of length dt without gravity, and the velocity that it leaves, whatever
 /// dt, is projected; its pressure, which no finite step could report, is forgotten.
-template <int D, class K>
-void Mps<D, K>::start_at_rest_in_lab() {
+template <int D>
+void Mps<D>::start_at_rest_in_lab() {
   const double dt = step_cap(p_);
   set_force(start_force<D>(motion_, dt));
   if (!ghost_walls()) return each_fluid([&](int i) { s_.velocity[i] += dt * force_[i]; });
@@ -289,19 +309,6 @@ void Mps<D, K>::start_at_rest_in_lab() {
   solve_pressure(dt, 0);
   correct_velocity(dt);
   s_.pressure = still;
-}
-
-/// The simulation whose kernel the parameters name. Throws BadParameters.
-template <int D>
-std::unique_ptr<Simulation> make_for_kernel(const Parameters& p, double sample_interval) {
-  for (const Kernel& kernel : kernel_table(1, p.method.kf2_alpha))
-    if (name(kernel) == p.method.kernel)
-      return std::visit(
-          [&](auto w) -> std::unique_ptr<Simulation> {
-            return std::make_unique<Mps<D, decltype(w)>>(p, w, sample_interval);
-          },
-          kernel);
-  throw BadParameters("method.kernel '" + p.method.kernel + "' is none of KF1 .. KF5");
 }
 
 }  // namespace seiche::solver

@@ -82,6 +82,9 @@ class Neighbours {
   double radius() const { return radius_; }
   std::span<const int> operator[](int i) const { return {index_.data() + start_[i], index_.data() + start_[i + 1]}; }
   const CellGrid<D>& grid() const { return grid_; }
+  /// Entries of all rows, and of those before row i.
+  int capacity() const { return static_cast<int>(index_.size()); }
+  int offset(int i) const { return start_[i]; }
 
   bool is_stale(const State<D>& s) const {
     if (s.listed_position.size() != s.size()) return true;

@@ -15,8 +15,8 @@ template <int D>
 class PressureSystem {
  public:
   /// @param diagonal c >= 0, the same in every row
-  template <class K, class Boundary>
-  void assemble(const K& w, double diagonal, const Boundary& boundary, const Neighbours<D>& list, const State<D>& s) {
+  template <class Boundary>
+  void assemble(const Pairs<D>& pairs, double diagonal, const Boundary& boundary, const State<D>& s) {
     const int size = static_cast<int>(s.size());
     row_.assign(size, -1);
     particle_.clear();
@@ -27,12 +27,10 @@ class PressureSystem {
       }
     const int rows = static_cast<int>(particle_.size());
     start_.assign(rows + 1, 0);
-    const double reach = w.support * w.support;
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < rows; ++k) {
-      const int i = particle_[k];
       int count = 1;
-      for (int j : list[i]) count += row_[j] >= 0 && (s.position[j] - s.position[i]).squaredNorm() < reach;
+      for (int j : pairs[particle_[k]]) count += row_[j] >= 0;
       start_[k + 1] = count;
     }
     for (int k = 0; k < rows; ++k) start_[k + 1] += start_[k];
@@ -40,7 +38,7 @@ class PressureSystem {
     value_.resize(start_[rows]);
     right_.resize(rows);
 #pragma omp parallel for schedule(static)
-    for (int k = 0; k < rows; ++k) fill_row(w, diagonal, boundary, list, s, k);
+    for (int k = 0; k < rows; ++k) fill_row(pairs, diagonal, boundary, s, k);
   }
 
   int rows() const { return static_cast<int>(particle_.size()); }
@@ -54,18 +52,14 @@ class PressureSystem {
   int row(int particle) const { return row_[particle]; }
 
  private:
-  template <class K, class Boundary>
-  void fill_row(const K& w, double diagonal, const Boundary& boundary, const Neighbours<D>& list, const State<D>& s,
-                int k) {
+  template <class Boundary>
+  void fill_row(const Pairs<D>& pairs, double diagonal, const Boundary& boundary, const State<D>& s, int k) {
     const int i = particle_[k];
     int out = start_[k], place = -1;
     double sum = diagonal + boundary.own(i), right = 0;
-    for (int j : list[i]) {
+    pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
       if (place < 0 && j > i) place = out++;
-      const Vec<D> rij = s.position[j] - s.position[i];
-      const double r2 = rij.squaredNorm();
-      if (!(r2 < w.support * w.support)) continue;
-      const double weight = s.wet[j] * w(std::sqrt(r2));
+      weight *= s.wet[j] * rij.squaredNorm();
       if (row_[j] < 0) {
         sum += boundary.on_diagonal(j, weight);
         right += boundary.on_right(i, j, weight, rij);
@@ -74,7 +68,7 @@ class PressureSystem {
         column_[out] = row_[j];
         value_[out++] = -weight;
       }
-    }
+    });
     if (place < 0) place = out;
     column_[place] = k;
     value_[place] = sum;

@@ -1,5 +1,5 @@
 #pragma once
-#include "solver/neighbours.hpp"
+#include "solver/pairs.hpp"
 
 namespace seiche::solver {
 
@@ -47,7 +47,7 @@ void collide_close_pairs(double distance, double l0, const std::vector<std::uint
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     change[i].setZero();
-    if (s.kind[i] != Kind::fluid) continue;
+    if (s.kind[i] != Kind::fluid || collisions[i] == 0) continue;
     each_collision(i, [&](int j, const Vec<D>& velocity) {
       change[i] += (s.kind[j] == Kind::fluid ? 0.5 : 1.0) / std::max(collisions[i], collisions[j]) * velocity;
     });
@@ -59,20 +59,17 @@ void collide_close_pairs(double distance, double l0, const std::vector<std::uint
 /// Particle shifting: the displacement -share l0^2 (d/n0) sum_j r_ij w/r_ij^2 of each fluid particle away from the free
 /// surface (`near` 0), towards where neighbours are sparse (after Xu, Stansby, Laurence 2009) [m]; zero elsewhere.
 /// @param share strength sqrt(g H) dt/l0: particles even out at a rate of their own, whatever the step
-template <int D, class K>
-void particle_shift(const K& w, double n0, double share, double l0, const Neighbours<D>& list,
-                    const std::vector<std::uint8_t>& near, const State<D>& s, Vecs<D>& out) {
+template <int D>
+void particle_shift(const Pairs<D>& pairs, double n0, double share, double l0, const std::vector<std::uint8_t>& near,
+                    const State<D>& s, Vecs<D>& out) {
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     out[i].setZero();
     if (s.kind[i] != Kind::fluid || near[i] || share == 0) continue;
-    for (int j : list[i]) {
-      const Vec<D> rij = s.position[j] - s.position[i];
-      const double r2 = rij.squaredNorm();
-      if (r2 < w.support * w.support) out[i] -= w(std::sqrt(r2)) / r2 * rij;
-    }
-    out[i] *= share * l0 * l0 * D / n0;
+    Vec<D> sum = Vec<D>::Zero();
+    pairs.each(i, s, [&](int, const Vec<D>& rij, double weight) { sum -= weight * rij; });
+    out[i] = share * l0 * l0 * D / n0 * sum;
   }
 }
 

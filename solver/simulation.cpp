@@ -111,6 +111,12 @@ void check_parameters(const Parameters& p) {
   solver::check_sensors(p);
 }
 
+solver::Kernel solver::find_kernel(const Parameters::Method& method, double support) {
+  for (const Kernel& kernel : kernel_table(support, method.kf2_alpha))
+    if (name(kernel) == method.kernel) return kernel;
+  throw BadParameters("method.kernel '" + method.kernel + "' is none of KF1 .. KF5");
+}
+
 Double3 motion_extent(const Parameters& p) {
   // The walls' particles stand outside of the box.
   const double walls = solver::wall_layers(p.method) * p.particles.spacing;
@@ -120,7 +126,8 @@ Double3 motion_extent(const Parameters& p) {
 std::unique_ptr<Simulation> make_simulation(const Parameters& p, double sample_interval) {
   check_parameters(p);
   omp_set_num_threads(p.threads > 0 ? p.threads : omp_get_num_procs());
-  return p.dimension() == 3 ? solver::make_mps<3>(p, sample_interval) : solver::make_mps<2>(p, sample_interval);
+  if (p.dimension() == 3) return std::make_unique<solver::Mps<3>>(p, sample_interval);
+  return std::make_unique<solver::Mps<2>>(p, sample_interval);
 }
 
 }  // namespace seiche

@@ -12,29 +12,27 @@ namespace seiche::solver {
 /// it is too strong along the axes and too weak across them by a tenth, which cancels in a wave.
 /// A wall with `slip` bears the normal stress of the flow that it mirrors (divergence.hpp) and no shear; without, it
 /// stands still. Walls count as far as they are wet.
-template <int D, class K>
-void strain_rate_divergence(const K& w, const Reference& ref, bool slip, const Neighbours<D>& list, const State<D>& s,
-                            Vecs<D>& out) {
+template <int D>
+void strain_rate_divergence(const Pairs<D>& pairs, const Reference& ref, bool slip, const State<D>& s, Vecs<D>& out) {
   const double factor = 2 * D * (D + 2) / (ref.lambda * ref.n0);
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     out[i].setZero();
     if (s.kind[i] != Kind::fluid) continue;
-    for (int j : list[i]) {
-      const Vec<D> rij = s.position[j] - s.position[i];
-      const double r = rij.norm();
-      if (!(r < w.support)) continue;
-      const double weight = s.wet[j] * w(r) / (r * r);
+    const Vec<D> ui = s.velocity[i];
+    Vec<D> sum = Vec<D>::Zero();
+    pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
+      weight *= s.wet[j];
       if (slip && s.kind[j] != Kind::fluid) {
         const Vec<D>& normal = s.normal[j];
         const double across = normal.dot(rij);
-        out[i] -= weight * 2 * s.velocity[i].dot(normal) * across * across * normal;
+        sum -= weight * 2 * ui.dot(normal) * across * across * normal;
       } else {
-        out[i] += weight * (s.velocity[j] - s.velocity[i]).dot(rij) * rij;
+        sum += weight * (s.velocity[j] - ui).dot(rij) * rij;
       }
-    }
-    out[i] *= factor;
+    });
+    out[i] = factor * sum;
   }
 }
 

@@ -14,8 +14,7 @@ struct VolumeKernel {
   explicit VolumeKernel(double l0) : support(radius * l0) {}
 
   double operator()(double r) const {
-    if (!(r < support)) return 0;
-    const double q = r / support, a = (1 - q) * (1 - q);
+    const double q = std::min(1.0, r / support), a = (1 - q) * (1 - q);
     return a * a * (1 + 4 * q);
   }
 };

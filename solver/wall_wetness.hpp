@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "solver/neighbours.hpp"
+#include "solver/pairs.hpp"
 #include "solver/reference.hpp"
 
 namespace seiche::solver {
@@ -54,17 +54,15 @@ class WallWetness {
   }
 
   /// Sets the wetness of wall and dummy particles.
-  template <class K>
-  void operator()(const K& w, double n0, const Neighbours<D>& list, State<D>& s) const {
+  void operator()(const Pairs<D>& pairs, double n0, State<D>& s) const {
     const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < size; ++i) {
       if (s.kind[i] != Kind::wall) continue;
       double fluid = 0, solid = 0;
-      for (int j : list[i]) {
-        const double r = (s.position[j] - s.position[i]).norm();
-        if (r < w.support) (s.kind[j] == Kind::fluid ? fluid : solid) += w(r);
-      }
+      pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
+        (s.kind[j] == Kind::fluid ? fluid : solid) += weight * rij.squaredNorm();
+      });
       s.wet[i] = std::clamp((fluid / (n0 - solid) - above_) / (level_ - above_), 0.0, 1.0);
     }
     for (int i = 0; i < size; ++i)

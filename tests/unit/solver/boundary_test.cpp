@@ -54,7 +54,7 @@ TYPED_TEST(Boundary, AirBelongsToTheSecondLayerOnly) {
 TYPED_TEST(Boundary, WallsOfStillWaterReadItsPressure) {
   constexpr int D = TypeParam::D;
   StillTank<D> tank;
-  extend_to_walls(tank.w, tank.everywhere(), tank.list, tank.s);
+  extend_to_walls(tank.pairs(), tank.everywhere(), tank.s);
   for (int beside : {0, 1}) {
     Vec<D> r = Vec<D>::Constant(0.065);
     r[1 - beside] = -0.5 * l0;  // the floor, then the left wall

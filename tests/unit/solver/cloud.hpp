@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "solver/neighbours.hpp"
+#include "solver/pairs.hpp"
 
 // Clouds of particles for the tests of one operator at a time.
 namespace seiche::solver::test {
@@ -66,6 +66,14 @@ Neighbours<D> listed(State<D>& s, double radius, double skin = 0) {
   Neighbours<D> list(low, high, radius, skin);
   list.build(s);
   return list;
+}
+
+/// The listed pairs within the kernel's support, at the present positions.
+template <int D, class K>
+Pairs<D> measured(const K& w, const Neighbours<D>& list, const State<D>& s) {
+  Pairs<D> pairs;
+  pairs.measure(w, list, s);
+  return pairs;
 }
 
 /// Index of the particle nearest to a point.

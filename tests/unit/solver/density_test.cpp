@@ -25,7 +25,7 @@ TYPED_TEST(Density, InsideALatticeIsTheReferenceForEveryKernel) {
       std::visit(
           [&](const auto& w) {
             const Reference ref = lattice_reference<D>(w, l0);
-            number_density(w, list, s, n, count);
+            number_density(test::measured(w, list, s), s, n, count);
             int full = 0;
             for (std::size_t i = 0; i < s.size(); ++i) {
               if (test::reach<D>(s.position[i]) > 1.1 * l0) continue;
@@ -47,7 +47,7 @@ TYPED_TEST(Density, IsTheSumOfTheWeightsWithinTheSupport) {
   const KF5 w{2};
   Scalars n(s.size());
   std::vector<int> count(s.size());
-  number_density(w, list, s, n, count);
+  number_density(test::measured(w, list, s), s, n, count);
   const int i = test::nearest<D>(s, Vec<D>::Zero());
   EXPECT_EQ(list[i].size(), 3u);
   EXPECT_DOUBLE_EQ(n[i], w(0.7) + w(1.3));
@@ -63,7 +63,7 @@ TYPED_TEST(Density, CountsEveryKindAndLeavesDummiesAtZero) {
   const auto list = test::listed(s, w.support);
   Scalars n(s.size(), -1);
   std::vector<int> count(s.size(), -1);
-  number_density(w, list, s, n, count);
+  number_density(test::measured(w, list, s), s, n, count);
   for (std::size_t i = 0; i < s.size(); ++i) {
     const bool dummy = s.kind[i] == Kind::dummy;
     if (dummy || test::reach<D>(s.position[i]) < 0.1 * l0) {

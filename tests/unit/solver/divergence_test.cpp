@@ -17,7 +17,7 @@ Scalars divergence_of(const K& w, State<D>& s, F u) {
   for (std::size_t i = 0; i < s.size(); ++i)
     if (s.kind[i] == Kind::fluid) s.velocity[i] = u(s.position[i]);
   Scalars out(s.size(), -1);
-  velocity_divergence(w, lattice_reference<D>(w, l0).n0, list, s, out);
+  velocity_divergence(test::measured(w, list, s), lattice_reference<D>(w, l0).n0, s, out);
   return out;
 }
 

@@ -18,7 +18,7 @@ double error(Model model, double spacing, double disorder) {
   const Vec<D> k = test::slanted<D>();
   for (std::size_t i = 0; i < s.size(); ++i) s.pressure[i] = std::sin(k.dot(s.position[i]) + 1);
   Vecs<D> out(s.size());
-  pressure_gradient<D>(model, w, lattice_reference<D>(w, spacing).n0, nullptr, list, s, out);
+  pressure_gradient<D>(model, test::measured(w, list, s), lattice_reference<D>(w, spacing).n0, nullptr, s, out);
   const int i = test::nearest<D>(s, Vec<D>::Zero());
   return (out[i] - std::cos(k.dot(s.position[i]) + 1) * k).norm();
 }

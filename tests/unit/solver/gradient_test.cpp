@@ -17,7 +17,7 @@ Vecs<D> gradient_of(Model model, const K& w, State<D>& s, F f) {
   const auto list = test::listed(s, w.support);
   for (std::size_t i = 0; i < s.size(); ++i) s.pressure[i] = f(s.position[i]);
   Vecs<D> out(s.size());
-  pressure_gradient<D>(model, w, lattice_reference<D>(w, l0).n0, nullptr, list, s, out);
+  pressure_gradient<D>(model, test::measured(w, list, s), lattice_reference<D>(w, l0).n0, nullptr, s, out);
   return out;
 }
 

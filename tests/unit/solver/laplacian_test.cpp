@@ -16,7 +16,7 @@ Vecs<D> laplacian_of(const K& w, double spacing, bool slip, State<D>& s, F u) {
   for (std::size_t i = 0; i < s.size(); ++i)
     if (s.kind[i] == Kind::fluid) s.velocity[i] = u(s.position[i]);
   Vecs<D> out(s.size());
-  velocity_laplacian(w, lattice_reference<D>(w, spacing), slip, list, s, out);
+  velocity_laplacian(test::measured(w, list, s), lattice_reference<D>(w, spacing), slip, s, out);
   return out;
 }
 

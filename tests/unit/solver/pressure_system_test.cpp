@@ -127,7 +127,7 @@ TEST(PressureSystem, OfNoUnknownHasNoRows) {
   for (auto& flag : s.surface) flag = 1;
   const auto list = test::listed(s, 2 * l0);
   PressureSystem<2> system;
-  system.assemble(KF3{2 * l0}, 0, PaperBoundary<2>{s}, list, s);
+  system.assemble(test::measured(KF3{2 * l0}, list, s), 0, PaperBoundary<2>{s}, s);
   EXPECT_EQ(system.rows(), 0);
   EXPECT_EQ(system.matrix().nonZeros(), 0);
 }

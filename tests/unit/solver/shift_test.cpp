@@ -15,7 +15,7 @@ Vecs<D> shift_of(State<D>& s, double strength, std::uint8_t near_surface = 0) {
   const KF3 w{2.6 * l0};
   const auto list = test::listed(s, w.support);
   Vecs<D> shift(s.size(), Vec<D>::Ones());
-  particle_shift(w, lattice_reference<D>(w, l0).n0, strength, l0, list,
+  particle_shift(test::measured(w, list, s), lattice_reference<D>(w, l0).n0, strength, l0,
                  std::vector<std::uint8_t>(s.size(), near_surface), s, shift);
   return shift;
 }

@@ -38,17 +38,19 @@ struct StillTank {
 
   explicit StillTank(const Parameters& parameters = small_tank<D>()) : p(parameters) { find_surface(); }
 
+  Pairs<D> pairs() const { return measured(w, list, s); }
+
   void find_surface() {
-    number_density(w, list, s, n, count);
+    number_density(pairs(), s, n, count);
     mark_free_surface(ref, 0.97, 0.85, n, count, s.kind, s.surface);
-    mark_near_surface(w.support, list, s.position, s.surface, near);
+    mark_near_surface(pairs(), s.surface, near);
   }
 
   /// Walls are wet at first, dry ones too.
   void wet_walls() {
     WallWetness<D> wetness(w, l0);
     wetness.relist(list, s);
-    wetness(w, ref.n0, list, s);
+    wetness(pairs(), ref.n0, s);
     find_surface();
   }
 
@@ -70,7 +72,7 @@ struct StillTank {
   template <class Boundary>
   PressureSystem<D> system(const Boundary& boundary, double diagonal = 0) const {
     PressureSystem<D> system;
-    system.assemble(w, diagonal, boundary, list, s);
+    system.assemble(pairs(), diagonal, boundary, s);
     return system;
   }
 };

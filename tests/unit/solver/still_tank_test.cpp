@@ -74,7 +74,7 @@ TYPED_TEST(StillWater, GradientBalancesGravityEverywhere) {
   constexpr int D = TypeParam::D;
   StillTank<D> tank;
   Vecs<D> gradient(tank.s.size());
-  pressure_gradient(CorrectedGradient{}, tank.w, tank.ref.n0, &tank.everywhere(), tank.list, tank.s, gradient);
+  pressure_gradient(CorrectedGradient{}, tank.pairs(), tank.ref.n0, &tank.everywhere(), tank.s, gradient);
   for (std::size_t i = 0; i < tank.s.size(); ++i) {
     const Vec<D> exact = tank.s.kind[i] == Kind::fluid ? tank.slope : Vec<D>(Vec<D>::Zero());
     EXPECT_LT((gradient[i] - exact).norm(), 1e-10 * tank.slope.norm()) << tank.s.position[i].transpose() / l0;
@@ -91,7 +91,7 @@ TYPED_TEST(StillWater, GradientBalancesGravityOfADisorderedTank) {
     tank.s.pressure[i] = tank.hydrostatic(tank.s.position[i]);
   }
   Vecs<D> gradient(tank.s.size());
-  pressure_gradient(CorrectedGradient{}, tank.w, tank.ref.n0, &tank.everywhere(), tank.list, tank.s, gradient);
+  pressure_gradient(CorrectedGradient{}, tank.pairs(), tank.ref.n0, &tank.everywhere(), tank.s, gradient);
   for (std::size_t i = 0; i < tank.s.size(); ++i)
     if (tank.s.kind[i] == Kind::fluid && tank.s.position[i][1] < tank.p.fluid.depth - l0) {
       EXPECT_LT((gradient[i] - tank.slope).norm(), 1e-10 * tank.slope.norm()) << tank.s.position[i].transpose() / l0;

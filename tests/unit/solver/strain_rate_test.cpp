@@ -16,7 +16,7 @@ Vecs<D> viscous(const KF3& w, bool slip, State<D>& s, F u) {
   for (std::size_t i = 0; i < s.size(); ++i)
     if (s.kind[i] == Kind::fluid) s.velocity[i] = u(s.position[i]);
   Vecs<D> out(s.size());
-  strain_rate_divergence(w, lattice_reference<D>(w, l0), slip, list, s, out);
+  strain_rate_divergence(test::measured(w, list, s), lattice_reference<D>(w, l0), slip, s, out);
   return out;
 }
 

@@ -84,7 +84,7 @@ TEST(SurfacePressure, LetsTheLiquidFeelTheNormalViscousStress) {
     if (s.kind[i] == Kind::fluid) s.velocity[i] = wave.velocity<2>(s.position[i]);
   tank.wet_walls();
   Vecs<2> viscous(s.size());
-  strain_rate_divergence(tank.w, tank.ref, true, tank.list, s, viscous);  // of nu = 1
+  strain_rate_divergence(tank.pairs(), tank.ref, true, s, viscous);  // of nu = 1
 
   // The equation is linear: of a body force so great that nothing is suction, its own part is taken off again.
   tank.slope.setZero();
@@ -97,7 +97,7 @@ TEST(SurfacePressure, LetsTheLiquidFeelTheNormalViscousStress) {
   PressureSystem<2> system = tank.system(tank.ghost(), 1e-7 * tank.ref.n0);
   Scalars divergence(s.size());
   s.velocity = viscous;
-  velocity_divergence(tank.w, tank.ref.n0, tank.list, s, divergence);
+  velocity_divergence(tank.pairs(), tank.ref.n0, s, divergence);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(system.rows());
   for (int k = 0; k < system.rows(); ++k)
     system.right()[k] -= tank.ref.lambda * tank.ref.n0 / 4 * divergence[system.particle(k)];

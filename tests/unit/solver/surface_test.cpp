@@ -21,7 +21,7 @@ struct Block {
 
   explicit Block(double radius, double spacing = l0)
       : s(test::block<D>(9, spacing)), w{radius * l0}, list(test::listed(s, w.support)) {
-    number_density(w, list, s, n, count);
+    number_density(test::measured(w, list, s), s, n, count);
   }
 
   void mark(double beta, double share) { mark_free_surface(ref, beta, share, n, count, s.kind, s.surface); }
@@ -97,7 +97,7 @@ TYPED_TEST(Surface, NearItIsWhatReachesAFlag) {
   const int flagged = test::nearest<D>(b.s, Vec<D>::Zero());
   b.s.surface[flagged] = 1;
   std::vector<std::uint8_t> near(b.s.size(), 7);
-  mark_near_surface(2.1 * l0, b.list, b.s.position, b.s.surface, near);
+  mark_near_surface(test::measured(KF3{2.1 * l0}, b.list, b.s), b.s.surface, near);
   for (std::size_t i = 0; i < b.s.size(); ++i) EXPECT_EQ(near[i], b.s.position[i].norm() < 2.1 * l0);
 }
 
