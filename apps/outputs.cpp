@@ -28,10 +28,10 @@ void Outputs::frame(const FramePtr& frame) {
 std::string Outputs::end() {
   std::string errors;
   for (Entry& entry : entries_) {
-    if (!entry.began) continue;
     const Stopwatch watch;
+    const std::unique_ptr<Sink> sink = std::move(entry.sink);  // and let go of here, on the thread that it worked on
     try {
-      entry.sink->end();
+      if (entry.began) sink->end();
     } catch (const std::exception& error) {
       errors += (errors.empty() ? "" : "; ") + std::string(error.what());
     }
