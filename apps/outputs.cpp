@@ -1,5 +1,7 @@
 #include "apps/outputs.hpp"
 
+#include <future>
+
 #include "apps/probes_csv.hpp"
 #include "apps/stopwatch.hpp"
 #include "render/outputs.hpp"
@@ -60,10 +62,13 @@ Outputs make_outputs(const Scene& scene, const OutputFolder& folder) {
 }
 
 void check_outputs(const Scene& scene, const OutputFolder& folder) {
-  if (scene.output.movie != "none") {
-    render::check_movie(folder.movie(scene.output.movie), scene.look.width, scene.look.height);
-  }
+  // Each takes a tenth of a second and more: side by side.
+  std::future<void> encoder;
+  if (scene.output.movie != "none")
+    encoder = std::async(std::launch::async, render::check_movie, folder.movie(scene.output.movie), scene.look.width,
+                         scene.look.height);
   if (scene.draws()) render::gl_description();
+  if (encoder.valid()) encoder.get();
 }
 
 }  // namespace seiche::apps

@@ -26,7 +26,7 @@ class Movie : public ImageSink {
   explicit Movie(const std::filesystem::path& file) : file_(file), codec_(codec_of(file)) {}
 
   void begin(const RunInfo& run, int width, int height) override {
-    check_movie(file_, width, height);
+    check_size(codec_, width, height);
     run_ = run;
   }
 
