@@ -55,11 +55,12 @@ std::vector<std::string> find_encoders() {
 
 const std::vector<Codec>& codecs() {
   static const std::vector<Codec> all{
+      // Half the work of "fast" with CRF 18, for as good a picture (SSIM) in a tenth more bytes.
       // Fragments of a second: whatever kills the program, the file holds all but the last of them.
       {".mp4", "libx264",
-       words(
-           fmt::format("{}-c:v libx264 -preset fast -crf 18 -movflags +frag_keyframe+empty_moov+default_base_moof", yuv)
-               .c_str()),
+       words(fmt::format(
+                 "{}-c:v libx264 -preset veryfast -crf 16.5 -movflags +frag_keyframe+empty_moov+default_base_moof", yuv)
+                 .c_str()),
        true, true},
       {".webm", "libvpx-vp9",
        words(fmt::format("{}-c:v libvpx-vp9 -crf 24 -b:v 0 -row-mt 1 -deadline good -cpu-used 5", yuv).c_str()), false,
