@@ -9,7 +9,7 @@
 namespace seiche::apps {
 namespace {
 
-constexpr double minor = 0.08;  // stages with a smaller share of the time come as "other"
+constexpr double minor = 0.1;  // stages with a smaller share of the time come as "other"
 
 double sum(const std::map<std::string, double>& seconds) {
   double result = 0;
