@@ -30,6 +30,14 @@ std::string losses(const Statistics& s) {
   return result;
 }
 
+std::string speed(const RunRecord& record) {
+  std::string result;
+  if (record.statistics.steps > 0)
+    result += fmt::format("  speed     {}\n", speed_text(record.statistics, record.times));
+  if (!record.times.outputs.empty()) result += fmt::format("  outputs   {}\n", outputs_text(record.times));
+  return result;
+}
+
 std::string places(const Scene& scene, const OutputFolder& folder) {
   std::string result;
   const auto place = [&](const char* what, const std::filesystem::path& path) {
@@ -49,9 +57,9 @@ std::string closing_text(const Scene& scene, const OutputFolder& folder, const R
   const Statistics& s = record.statistics;
   const double iterations = s.steps > 0 ? static_cast<double>(s.iterations) / s.steps : 0;
   const long frames = record.ending->frames;
-  return fmt::format("{}: {} frame{}, {} steps, {:.1f} pressure iterations a step, {} of wall time\n{}{}",
+  return fmt::format("{}: {} frame{}, {} steps, {:.1f} pressure iterations a step, {} of wall time\n{}{}{}",
                      ending_sentence(*record.ending), frames, frames == 1 ? "" : "s", s.steps, iterations,
-                     clock_text(record.seconds.at("total")), losses(s), places(scene, folder));
+                     clock_text(record.times.total), losses(s), speed(record), places(scene, folder));
 }
 
 void print_closing(const Scene& scene, const OutputFolder& folder, const RunRecord& record, bool quiet) {

@@ -19,7 +19,7 @@ A run of NAME.toml writes, under out/NAME/ or the folder of -o:
   frames/000123.png     pictures
   NAME.pvd, vtu/        all particles, for ParaView
   probes.csv            sensor readings, with units in the header
-  run.json              parameters, steps, timings, how the run ended
+  run.json              parameters, steps, how the run ended, time by stage and by output, particle-steps a second
 
 Exit codes:
   0 done   1 the run failed   2 wrong usage or scene   3 a comparison is over its threshold

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "apps/frame_queue.hpp"
 #include "apps/stopwatch.hpp"
 
 namespace seiche::apps {
@@ -12,23 +13,34 @@ constexpr double sliver = 1e-6;
 
 long last_frame(const RunInfo& run) { return std::lround(std::ceil(run.end / run.frame_interval - sliver)); }
 
-// The loop itself; throws what the simulation and the sinks throw.
-Ending::Status step_through(Simulation& simulation, Outputs& outputs, const RunInfo& run, Progress& progress,
-                            const std::function<bool()>& stop, long& frames) {
+// The loop itself; throws what the simulation throws, and breaks off once an output has failed.
+Ending::Status step_through(Simulation& simulation, FrameQueue& queue, const RunInfo& run, Progress& progress,
+                            const std::function<bool()>& stop) {
   const Stopwatch watch;
   const long last = last_frame(run);
-  outputs.begin(run);
   for (long k = 0; k <= last; ++k) {
     const double target = k == last ? run.end : k * run.frame_interval;
     while (simulation.time() < target) {
       simulation.step(target);
+      if (queue.failed()) return Ending::Status::failed;
       progress.show({simulation.time(), run.end, k, last, simulation.statistics().steps, watch.seconds(), stop()});
     }
-    outputs.frame(simulation.frame(k));
-    frames = k + 1;
+    queue.push(simulation.frame(k));
     if (k < last && stop()) return Ending::Status::interrupted;
   }
   return Ending::Status::finished;
+}
+
+// Waits until the outputs have what is still in the queue, and says so if it lasts. Returns how long [s].
+double drain(FrameQueue& queue, Progress& progress) {
+  const Stopwatch watch;
+  queue.close();
+  while (!queue.ended_within(Progress::bar_interval)) progress.show_rest(queue.waiting(), watch.seconds());
+  return watch.seconds();
+}
+
+void add(std::string& reason, const std::string& another) {
+  if (!another.empty()) reason += (reason.empty() ? "" : "; ") + another;
 }
 
 }  // namespace
@@ -48,19 +60,20 @@ std::string name(Ending::Status status) {
 Ending run_loop(Simulation& simulation, Outputs& outputs, const RunInfo& run, Progress& progress,
                 const std::function<bool()>& stop) {
   Ending ending;
+  FrameQueue queue(outputs, run);
   try {
-    ending.status = step_through(simulation, outputs, run, progress, stop, ending.frames);
+    ending.status = step_through(simulation, queue, run, progress, stop);
   } catch (const std::exception& error) {
     ending.status = Ending::Status::failed;
     ending.reason = error.what();
   }
   ending.time = simulation.time();
+  const double rest = drain(queue, progress);
   progress.clear();
-  const std::string trouble = outputs.end();
-  if (!trouble.empty() && trouble != ending.reason) {
-    ending.status = Ending::Status::failed;
-    ending.reason += (ending.reason.empty() ? "" : "; ") + trouble;
-  }
+  ending.waited = queue.waited() + rest;
+  ending.frames = queue.taken();
+  if (!queue.trouble().empty()) ending.status = Ending::Status::failed;
+  add(ending.reason, queue.trouble());
   return ending;
 }
 

@@ -1,5 +1,7 @@
 #include "apps/outputs.hpp"
 
+#include <future>
+
 #include "apps/probes_csv.hpp"
 #include "apps/stopwatch.hpp"
 #include "render/outputs.hpp"
@@ -28,10 +30,10 @@ void Outputs::frame(const FramePtr& frame) {
 std::string Outputs::end() {
   std::string errors;
   for (Entry& entry : entries_) {
-    if (!entry.began) continue;
     const Stopwatch watch;
+    const std::unique_ptr<Sink> sink = std::move(entry.sink);  // and let go of here, on the thread that it worked on
     try {
-      entry.sink->end();
+      if (entry.began) sink->end();
     } catch (const std::exception& error) {
       errors += (errors.empty() ? "" : "; ") + std::string(error.what());
     }
@@ -60,10 +62,13 @@ Outputs make_outputs(const Scene& scene, const OutputFolder& folder) {
 }
 
 void check_outputs(const Scene& scene, const OutputFolder& folder) {
-  if (scene.output.movie != "none") {
-    render::check_movie(folder.movie(scene.output.movie), scene.look.width, scene.look.height);
-  }
+  // Each takes a tenth of a second and more: side by side.
+  std::future<void> encoder;
+  if (scene.output.movie != "none")
+    encoder = std::async(std::launch::async, render::check_movie, folder.movie(scene.output.movie), scene.look.width,
+                         scene.look.height);
   if (scene.draws()) render::gl_description();
+  if (encoder.valid()) encoder.get();
 }
 
 }  // namespace seiche::apps

@@ -18,7 +18,8 @@ class Outputs {
   void begin(const RunInfo& run);
   void frame(const FramePtr& frame);
 
-  /// Ends every sink that began, whatever befalls the others. Returns what went wrong, empty if nothing.
+  /// Ends every sink that began, whatever befalls the others, and lets go of all. Returns what went wrong, empty if
+  /// nothing.
   std::string end();
 
   /// Wall-clock time spent in each [s].

@@ -11,8 +11,8 @@
 namespace seiche::apps {
 namespace {
 
-constexpr double bar_interval = 0.1;  // [s]
 constexpr double line_share = 0.05;
+constexpr double patience = 1;  // a rest that lasts longer gets a line in a log [s]
 
 double share(const Moment& m) { return m.end > 0 ? m.time / m.end : 1; }
 
@@ -55,6 +55,11 @@ std::string progress_bar(const Moment& moment, int columns) {
 
 std::string progress_line(const Moment& moment) { return facts(moment); }
 
+std::string rest_line(std::size_t frames) {
+  if (frames == 0) return "steps done; finishing the outputs";
+  return fmt::format("steps done; {} frame{} to draw and write", frames, frames == 1 ? "" : "s");
+}
+
 Progress::Style Progress::suitable(bool quiet) {
   if (quiet) return Style::none;
   return isatty(STDOUT_FILENO) ? Style::bar : Style::lines;
@@ -70,6 +75,14 @@ void Progress::show(const Moment& moment) {
   if (style_ == Style::lines && (news || share(moment) >= next_)) {
     print(progress_line(moment) + "\n");
     next_ = line_share * (std::floor(share(moment) / line_share + 1e-9) + 1);
+  }
+}
+
+void Progress::show_rest(std::size_t frames, double lasted) {
+  if (style_ == Style::bar) print("\r\033[K" + rest_line(frames).substr(0, std::max(terminal_columns() - 1, 0)));
+  if (style_ == Style::lines && !told_rest_ && lasted >= patience) {
+    print(rest_line(frames) + "\n");
+    told_rest_ = true;
   }
 }
 

@@ -38,9 +38,8 @@ int simulate(const Scene& scene, const OutputFolder& folder, Simulation& simulat
 
   const Ending ending = run_loop(simulation, outputs, run_info(scene), progress, [&] { return signals.caught(); });
 
-  RunRecord record{ending, simulation.statistics(), simulation.statistics().seconds};
-  record.seconds.merge(outputs.seconds());
-  record.seconds["total"] = watch.seconds();
+  const Statistics& totals = simulation.statistics();
+  const RunRecord record{ending, totals, {totals.seconds, outputs.seconds(), ending.waited, watch.seconds()}};
   write_run_json(folder.report(), scene, record);
   print_closing(scene, folder, record, quiet);
   return exit_code(ending.status);

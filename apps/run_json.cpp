@@ -63,18 +63,36 @@ Json particles(const Statistics& s) {
           {"spilled", s.spilled}};
 }
 
+// By stage of a step and by output; the rest of the names tell what they are.
+Json seconds(const Times& times) {
+  Json result = Json::object();
+  for (const auto& [stage, value] : times.stages) result[stage] = value;
+  for (const auto& [output, value] : times.outputs) result[output] = value;
+  result["waited_for_outputs"] = times.waited;
+  result["total"] = times.total;
+  return result;
+}
+
+Json speed(const RunRecord& record) {
+  return {{"particle_steps_per_second", particle_steps_per_second(record.statistics, record.times)},
+          {"waited_for_outputs_share", waited_share(record.times)}};
+}
+
 }  // namespace
 
 void write_run_json(const std::filesystem::path& file, const Scene& scene, const RunRecord& record) {
-  const Json json{{"seiche", version()},
-                  {"scene", {{"name", scene.name}, {"file", scene.file}, {"hash", scene_hash(scene)}}},
-                  {"run", ending(record.ending)},
-                  {"particles", particles(record.statistics)},
-                  {"steps", steps(record.statistics)},
-                  {"pressure", pressure(record.statistics)},
-                  {"threads", scene.parameters.threads},
-                  {"parameters", parameters(scene)},
-                  {"seconds", record.seconds}};
+  Json json{{"seiche", version()},
+            {"scene", {{"name", scene.name}, {"file", scene.file}, {"hash", scene_hash(scene)}}},
+            {"run", ending(record.ending)},
+            {"particles", particles(record.statistics)},
+            {"steps", steps(record.statistics)},
+            {"pressure", pressure(record.statistics)},
+            {"threads", scene.parameters.threads},
+            {"parameters", parameters(scene)}};
+  if (record.ending) {
+    json["seconds"] = seconds(record.times);
+    json["speed"] = speed(record);
+  }
   render::write_file(file, json.dump(2) + "\n");
 }
 

@@ -1,20 +1,19 @@
 #pragma once
 #include <filesystem>
-#include <map>
 #include <optional>
-#include <string>
 
 #include "apps/loop.hpp"
 #include "apps/scene.hpp"
+#include "apps/speed.hpp"
 #include "solver/simulation.hpp"
 
 namespace seiche::apps {
 
-/// What run.json tells of a run. Only `seconds` differs between two runs of one scene with the same threads.
+/// What run.json tells of a run. Only `times` differ between two runs of one scene with the same threads.
 struct RunRecord {
   std::optional<Ending> ending;  ///< none: the run is still going
   Statistics statistics;
-  std::map<std::string, double> seconds;  ///< wall-clock, by stage of a step, by output, and "total"
+  Times times;
 };
 
 /// Writes the record as JSON, to a temporary file first, so that a reader never finds half of one.

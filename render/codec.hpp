@@ -19,4 +19,7 @@ const std::vector<Codec>& codecs();
 /// Throws std::invalid_argument for an unknown ending.
 const Codec& codec_of(const std::filesystem::path& file);
 
+/// Throws std::invalid_argument for a size that the codec refuses.
+void check_size(const Codec& codec, int width, int height);
+
 }  // namespace seiche::render

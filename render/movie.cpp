@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "render/child.hpp"
 #include "render/codec.hpp"
@@ -12,13 +13,17 @@
 namespace seiche::render {
 namespace {
 
-// A movie has no transparency: what is behind is white.
-void to_rgb(const Image& image, std::vector<unsigned char>& rgb) {
-  rgb.resize(image.rgba.size() / 4 * 3);
+// A movie has no transparency: what is behind is white. Returns the picture's own bytes where it is opaque.
+std::span<const unsigned char> on_white(const Image& image, std::vector<unsigned char>& rgbx) {
+  std::uint8_t least = 255;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) least &= image.rgba[i];
+  if (least == 255) return image.rgba;
+  rgbx.resize(image.rgba.size());
   const std::uint8_t* in = image.rgba.data();
-  for (std::size_t i = 0; i < rgb.size(); i += 3, in += 4)
+  for (std::size_t i = 0; i < rgbx.size(); i += 4, in += 4)
     for (std::size_t c = 0; c < 3; ++c)
-      rgb[i + c] = static_cast<unsigned char>((in[c] * in[3] + 255 * (255 - in[3]) + 127) / 255);
+      rgbx[i + c] = static_cast<unsigned char>((in[c] * in[3] + 255 * (255 - in[3]) + 127) / 255);
+  return rgbx;
 }
 
 class Movie : public ImageSink {
@@ -26,14 +31,13 @@ class Movie : public ImageSink {
   explicit Movie(const std::filesystem::path& file) : file_(file), codec_(codec_of(file)) {}
 
   void begin(const RunInfo& run, int width, int height) override {
-    check_movie(file_, width, height);
+    check_size(codec_, width, height);
     run_ = run;
   }
 
   void image(const Image& image, const Frame&) override {
     if (!ffmpeg_) start(image);
-    to_rgb(image, rgb_);
-    if (!ffmpeg_->write(rgb_)) fail();
+    if (!ffmpeg_->write(on_white(image, rgbx_))) fail();
   }
 
   void end() override {
@@ -60,7 +64,7 @@ class Movie : public ImageSink {
                                        "-f",
                                        "rawvideo",
                                        "-pixel_format",
-                                       "rgb24",
+                                       "rgb0",  // the fourth byte is ignored
                                        "-video_size",
                                        fmt::format("{}x{}", image.width, image.height),
                                        "-framerate",
@@ -95,7 +99,7 @@ class Movie : public ImageSink {
   const Codec& codec_;
   RunInfo run_;
   std::optional<Child> ffmpeg_;
-  std::vector<unsigned char> rgb_;
+  std::vector<unsigned char> rgbx_;
 };
 
 }  // namespace

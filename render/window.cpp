@@ -35,6 +35,8 @@ class OsmesaWindow : public vtkOpenGLRenderWindow {
     if (context_) context_->make_current();
   }
   bool IsCurrent() override { return context_ && context_->is_current(); }
+  // What is drawn is read where it is drawn: nobody needs VTK's copy for a display.
+  void Frame() override {}
   vtkTypeBool IsDirect() override { return 0; }
   void* GetGenericDisplayId() override { return nullptr; }
   void* GetGenericWindowId() override { return nullptr; }

@@ -35,6 +35,7 @@ std::map<std::string, std::string> everything_in(const fs::path& folder) {
     if (entry.path().filename() != "run.json") continue;
     nlohmann::json json = nlohmann::json::parse(text);
     json.erase("seconds");
+    json.erase("speed");
     text = json.dump();
   }
   return all;
@@ -68,6 +69,11 @@ TEST(Run, TheQuickSceneWritesEverything) {
   EXPECT_EQ(report["run"], (nlohmann::json{{"status", "finished"}, {"time_s", 1.0}, {"frames", 26}}));
   EXPECT_EQ(report["particles"]["fluid"], 300);
   EXPECT_EQ(report["particles"]["leaked"], 0);
+  for (const char* name : {"solve", "pictures", "vtu", "probes", "waited_for_outputs", "total"})
+    EXPECT_TRUE(report["seconds"].contains(name)) << name;
+  EXPECT_GT(report["speed"]["particle_steps_per_second"], 0);
+  EXPECT_NE(result.out.find(" particle-steps a second: "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("  outputs   pictures "), std::string::npos) << result.out;
 }
 
 TEST(Run, TwiceTheSameSceneGivesTheSameBytes) {

@@ -35,6 +35,7 @@ struct Log {
   bool began = false;
   std::vector<double> times;
   int ends = 0;
+  std::string end_fails;
 };
 class FakeSink : public Sink {
  public:
@@ -44,7 +45,10 @@ class FakeSink : public Sink {
     if (frame->index == fails_at_) throw std::runtime_error("the disk is full");
     log_.times.push_back(frame->time);
   }
-  void end() override { ++log_.ends; }
+  void end() override {
+    ++log_.ends;
+    if (!log_.end_fails.empty()) throw std::runtime_error(log_.end_fails);
+  }
 
  private:
   Log& log_;
@@ -132,6 +136,26 @@ TEST_F(LoopTest, OneOutputsFailureEndsTheRunAndAllOutputs) {
   EXPECT_EQ(ending.frames, 3);
   EXPECT_EQ(log.ends, 1);
   EXPECT_EQ(other.ends, 1);
+}
+
+TEST_F(LoopTest, AnOutputsFailureEndsARunOfAnyLength) {
+  run.end = 1e7;  // would take until tomorrow
+  outputs.add("log", std::make_unique<FakeSink>(log, 3));
+  FakeSimulation simulation;
+  const Ending ending = go(simulation);
+  EXPECT_EQ(ending.status, Ending::Status::failed);
+  EXPECT_EQ(ending.reason, "the disk is full");
+  EXPECT_EQ(log.ends, 1);
+}
+
+TEST_F(LoopTest, FailuresOfTheRunAndOfAnOutputAreBothTold) {
+  log.end_fails = "ffmpeg was killed";
+  outputs.add("log", std::make_unique<FakeSink>(log));
+  FakeSimulation simulation(0.25);
+  const Ending ending = go(simulation);
+  EXPECT_EQ(ending.status, Ending::Status::failed);
+  EXPECT_EQ(ending.reason, "it blew up; ffmpeg was killed");
+  EXPECT_EQ(ending.frames, 3);
 }
 
 }  // namespace

@@ -46,10 +46,27 @@ TEST(Progress, ALogGetsOneLineForEachTwentieth) {
   EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 21);
 }
 
+TEST(Progress, ARestSaysHowManyFramesWait) {
+  EXPECT_EQ(rest_line(3), "steps done; 3 frames to draw and write");
+  EXPECT_EQ(rest_line(1), "steps done; 1 frame to draw and write");
+  EXPECT_EQ(rest_line(0), "steps done; finishing the outputs");
+}
+
+TEST(Progress, ALogHearsOfARestOnceAndOnlyIfItLasts) {
+  testing::internal::CaptureStdout();
+  Progress progress(Progress::Style::lines);
+  for (int i = 1; i < 50; ++i) progress.show_rest(3, i * 0.1);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), rest_line(3) + "\n");
+  testing::internal::CaptureStdout();
+  Progress(Progress::Style::lines).show_rest(3, 0.1);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
 TEST(Progress, QuietShowsNothing) {
   testing::internal::CaptureStdout();
   Progress progress(Progress::Style::none);
   progress.show(half);
+  progress.show_rest(3, 5);
   progress.clear();
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }

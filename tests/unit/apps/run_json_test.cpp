@@ -25,7 +25,8 @@ TEST(RunJson, SaysThatARunIsStillGoing) { EXPECT_EQ(written({})["run"], (nlohman
 TEST(RunJson, TellsHowARunEnded) {
   RunRecord record;
   record.ending = Ending{Ending::Status::failed, "it blew up", 7, 0.25};
-  record.seconds["total"] = 3.5;
+  record.times = {{{"solve", 1.5}, {"search", 0.5}}, {{"pictures", 0.75}}, 0.25, 4};
+  record.statistics.fluid_particles = 300;
   record.statistics.steps = 40;
   record.statistics.iterations = 100;
   const nlohmann::json json = written(record);
@@ -34,7 +35,11 @@ TEST(RunJson, TellsHowARunEnded) {
   EXPECT_EQ(json["scene"]["name"], "b");
   EXPECT_EQ(json["scene"]["file"], "a/b.toml");
   EXPECT_EQ(json["pressure"]["iterations_per_step"], 2.5);
-  EXPECT_EQ(json["seconds"]["total"], 3.5);
+  EXPECT_EQ(json["seconds"],
+            (nlohmann::json{
+                {"solve", 1.5}, {"search", 0.5}, {"pictures", 0.75}, {"waited_for_outputs", 0.25}, {"total", 4.0}}));
+  EXPECT_EQ(json["speed"],
+            (nlohmann::json{{"particle_steps_per_second", 300 * 40 / 2.0}, {"waited_for_outputs_share", 0.0625}}));
 }
 
 TEST(RunJson, HoldsEveryKey) {
