@@ -16,16 +16,34 @@ class Pairs {
     index_.resize(list.capacity());
     weight_.resize(list.capacity());
     const double reach = w.support * w.support;
+    const double* position = s.position.data()->data();
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < size; ++i) {
       const Vec<D> ri = s.position[i];
+      const std::span<const int> row = list[i];
       int out = row_[i].first = list.offset(i);
-      for (int j : list[i]) {
-        const double r2 = (s.position[j] - ri).squaredNorm();
+      // In blocks, first all that several pairs can share one instruction for, then what each does alone.
+      constexpr int block = 64;
+      double squared[block], weight[block];
+      for (int begin = 0; begin < static_cast<int>(row.size()); begin += block) {
+        const int* js = row.data() + begin;
+        const int count = std::min<int>(block, row.size() - begin);
+#pragma omp simd
+        for (int m = 0; m < count; ++m) {
+          double r2 = 0;
+          for (int a = 0; a < D; ++a) {
+            const double d = position[D * js[m] + a] - ri[a];
+            r2 += d * d;
+          }
+          squared[m] = r2;
+          weight[m] = w(std::sqrt(r2)) / r2;
+        }
         // Written whether it counts or not: a third of the pairs don't, at random, which no branch would foresee.
-        index_[out] = j;
-        weight_[out] = w(std::sqrt(r2)) / r2;
-        out += r2 < reach;
+        for (int m = 0; m < count; ++m) {
+          index_[out] = js[m];
+          weight_[out] = weight[m];
+          out += squared[m] < reach;
+        }
       }
       row_[i].last = out;
     }

@@ -25,11 +25,22 @@ struct VolumeKernel {
 template <int D>
 void volume_excess(const VolumeKernel& w, double whole, const Neighbours<D>& list, const State<D>& s, Scalars& out) {
   const int size = static_cast<int>(s.size());
+  const double* position = s.position.data()->data();
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     if (s.kind[i] != Kind::fluid) continue;
+    const Vec<D> ri = s.position[i];
+    const std::span<const int> row = list[i];
     double sum = w(0);
-    for (int j : list[i]) sum += s.wet[j] * w((s.position[j] - s.position[i]).norm());
+#pragma omp simd reduction(+ : sum)
+    for (int m = 0; m < static_cast<int>(row.size()); ++m) {
+      double r2 = 0;
+      for (int a = 0; a < D; ++a) {
+        const double d = position[D * row[m] + a] - ri[a];
+        r2 += d * d;
+      }
+      sum += s.wet[row[m]] * w(std::sqrt(r2));
+    }
     out[i] = sum / whole - 1;
   }
 }
