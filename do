@@ -18,7 +18,7 @@ usage: ./do VERB
   build    deps, then configure (Release, Ninja) and build into build/
   demo     build, then run scenes/pan2008.toml and say where its movie is
   test     build with tests, then run them all through CTest
-  bench    build with benchmarks, then run them and write their times to out/bench/; 'bench quick' leaves large tanks out
+  bench    build with benchmarks, then run them into out/bench/; './do bench quick' takes a minute
   format   rewrite the sources in the house style (clang-format)
   clean    remove build/ and out/
 TEXT
@@ -51,7 +51,6 @@ build() {
 
 # Threads that wait don't spin, as in `seiche` itself.
 bench() {
-  mkdir -p out/bench
   export OMP_WAIT_POLICY=passive
   build/tests/bench/bench_runs out/bench $1
   small=""

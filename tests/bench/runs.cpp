@@ -27,7 +27,12 @@ void run(const fs::path& folder, bool quick) {
   const auto sizes = quick ? std::vector<int>{3000, 12000} : std::vector<int>{3000, 12000, 50000, 200000, 400000};
   std::vector<StepCost> steps;
   for (int size : sizes)
-    for (int threads : {1, 2}) steps.push_back(measure_steps(size, threads));
+    for (int threads : {1, 2}) {
+      steps.push_back(measure_steps(size, threads));
+      fmt::print("{} particles, {} threads: {:.2f} microseconds a particle and step\n", steps.back().fluid, threads,
+                 steps.back().whole());
+      std::fflush(stdout);
+    }
   write(folder / "steps.csv", steps_csv(steps));
 
   write(folder / "bandwidth.csv", bandwidth_csv(measure_bandwidth()));
