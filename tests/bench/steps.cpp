@@ -1,6 +1,7 @@
 #include "tests/bench/steps.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -14,8 +15,9 @@ namespace {
 
 constexpr int warm_up = 60, timed = 20;
 
-/// Resident memory of this process [bytes].
+/// Resident memory of this process, without what is free but kept for later [bytes].
 double resident() {
+  malloc_trim(0);
   std::ifstream statm("/proc/self/statm");
   double all = 0, pages = 0;
   statm >> all >> pages;

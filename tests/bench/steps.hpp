@@ -17,7 +17,7 @@ struct StepCost {
 };
 
 /// Some `particles` fluid particles in the tank of Pan, Zhang and Lu (2008), but surging by 0.05 m: 60 steps, in which
-/// the fastest go a few spacings, then 20 by the clock. Memory is what the process has grown by at their end.
+/// the fastest go a few spacings, then 20 by the clock. Memory is what the process holds more at their end.
 StepCost measure_steps(int particles, int threads);
 
 /// One line each.
