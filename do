@@ -3,10 +3,11 @@
 set -eu
 cd "$(dirname "$0")"
 
-# The one list of Debian packages: what building and running need, then what only tests or formatting need.
+# The one list of Debian packages: what building and running need, then what only tests, benchmarks or formatting need.
 build_packages="g++ cmake ninja-build libvtk9-dev libosmesa6-dev libglew-dev libeigen3-dev libsuitesparse-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpng-dev fonts-dejavu-core ffmpeg"
 test_packages="libgtest-dev"
+bench_packages="libbenchmark-dev"
 format_packages="clang-format"
 
 usage() {
@@ -17,6 +18,7 @@ usage: ./do VERB
   build    deps, then configure (Release, Ninja) and build into build/
   demo     build, then run scenes/pan2008.toml and say where its movie is
   test     build with tests, then run them all through CTest
+  bench    build with benchmarks, then run them into out/bench/; './do bench quick' takes a minute
   format   rewrite the sources in the house style (clang-format)
   clean    remove build/ and out/
 TEXT
@@ -43,8 +45,17 @@ install_packages() {
 }
 
 build() {
-  cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSEICHE_TESTS="$1"
+  cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSEICHE_TESTS="$1" -DSEICHE_BENCH="$2"
   cmake --build build
+}
+
+# Threads that wait don't spin, as in `seiche` itself.
+bench() {
+  export OMP_WAIT_POLICY=passive
+  build/tests/bench/bench_runs out/bench $1
+  small=""
+  [ -z "$1" ] || small="--benchmark_filter=-particles:200000 --benchmark_min_time=0.1"
+  build/tests/bench/bench_parts --benchmark_out=out/bench/parts.csv --benchmark_out_format=csv $small
 }
 
 case "${1:-}" in
@@ -52,17 +63,26 @@ case "${1:-}" in
   deps) install_packages $build_packages ;;
   build)
     install_packages $build_packages
-    build OFF
+    build OFF OFF
     ;;
   demo)
     install_packages $build_packages
-    build OFF
+    build OFF OFF
     build/seiche run scenes/pan2008.toml --overwrite
     ;;
   test)
     install_packages $build_packages $test_packages
-    build ON
+    build ON OFF
     ctest --test-dir build --output-on-failure --parallel 2
+    ;;
+  bench)
+    if [ "${2:-quick}" != quick ]; then
+      echo "do: bench stands alone or before 'quick', not before '$2'" >&2
+      exit 2
+    fi
+    install_packages $build_packages $test_packages $bench_packages
+    build OFF ON
+    bench "${2:-}"
     ;;
   format)
     install_packages $format_packages

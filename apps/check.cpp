@@ -25,13 +25,14 @@ std::string check_text(const Scene& scene) {
   const double layers = p.tank.width > 0 ? std::round(p.tank.width / l0) : 1;
   const double particles = std::round(column / l0) * std::round(p.fluid.depth / l0) * layers;
   const std::string width = p.tank.width > 0 ? fmt::format(" x {:g}", p.tank.width) : "";
+  const std::string step = p.time.step > 0 ? fmt::format(" in steps of {:g} s", p.time.step) : "";
   return fmt::format(
       "{}: a good scene\n"
       "  tank    {:g} x {:g}{} m, {}, filled to {:g} m; {}\n"
       "  method  {} preset, kernel {}, spacing {:g} m: {:.0f} fluid particles\n"
-      "  run     {:g} s at {:g} frames a second\n",
+      "  run     {:g} s{} at {:g} frames a second\n",
       scene.file, p.tank.length, p.tank.height, width, p.tank.closed ? "closed" : "open", p.fluid.depth,
-      motion_text(p.motion), p.preset, p.method.kernel, l0, particles, p.time.end, scene.output.frame_rate);
+      motion_text(p.motion), p.preset, p.method.kernel, l0, particles, p.time.end, step, scene.output.frame_rate);
 }
 
 }  // namespace seiche::apps

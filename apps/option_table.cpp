@@ -138,6 +138,8 @@ const std::vector<Option>& options() {
       {"time", "end", "s", AT(parameters.time.end), Range{0, 1e5, true}, "simulated time"},
       {"time", "courant", "", AT(parameters.time.courant), Range{0, 1, true},
        "alpha of equation (18): a step is alpha l0 / v_max at most"},
+      {"time", "step", "s", AT(parameters.time.step), Range{0, 1},
+       "of every step, which must fall on every frame and on the end; 0: by equation (18)"},
 
       {"output", "pictures", "", AT(output.pictures), {}, "frames/000123.png"},
       {"output", "movie", "", AT(output.movie), Choices{"mp4", "webm", "gif", "none"}, "kind of movie"},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -61,6 +62,22 @@ Scene assemble(const Settings& all, std::vector<Complaint>& complaints) {
   return scene;
 }
 
+// A step of the scene's own must fall on every frame and on the end.
+void check_step(const Scene& scene) {
+  const double step = scene.parameters.time.step;
+  if (step == 0) return;
+  const auto check = [&](const char* what, double time) {
+    const double steps = time / step;
+    if (std::abs(steps - std::round(steps)) > 1e-6)
+      throw BadParameters(
+          fmt::format("{} = {:.6g} s is {:.3f} steps of time.step = {:.6g} s; it must be a whole number "
+                      "of them",
+                      what, time, steps, step));
+  };
+  check("time.end", scene.parameters.time.end);
+  check("1/output.frame_rate", 1 / scene.output.frame_rate);
+}
+
 [[noreturn]] void refuse(std::vector<Complaint> complaints) {
   std::stable_sort(complaints.begin(), complaints.end(),
                    [](const Complaint& a, const Complaint& b) { return a.position < b.position; });
@@ -87,6 +104,7 @@ Scene parse_scene(const std::string& toml, const std::string& file, const std::v
     motion.series = read_motion_file((fs::path(file).parent_path() / motion.file).string());
   try {
     check_parameters(scene.parameters);
+    check_step(scene);
   } catch (const BadParameters& error) {
     throw BadScene(fmt::format("{}: {}", file, error.what()));
   }

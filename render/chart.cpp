@@ -16,11 +16,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/chart_axis.hpp"
 #include "render/outputs.hpp"
 #include "render/overlay.hpp"
 #include "render/palette.hpp"
 #include "render/pixels.hpp"
-#include "render/range.hpp"
 #include "render/window.hpp"
 
 namespace seiche::render {
@@ -35,7 +35,7 @@ void style_text(vtkTextProperty* text, double size) {
   text->BoldOff();
 }
 
-void style_axis(vtkAxis* axis, Range range, double font) {
+void style_axis(vtkAxis* axis, const ChartAxis& plan, double font) {
   axis->SetTitle("");
   style_text(axis->GetLabelProperties(), 0.85 * font);
   axis->GetPen()->SetWidth(static_cast<float>(font / 14));
@@ -43,37 +43,26 @@ void style_axis(vtkAxis* axis, Range range, double font) {
   axis->SetTickLength(static_cast<float>(0.3 * font));
   axis->GetGridPen()->SetColor(228, 228, 228);
   axis->GetGridPen()->SetWidth(static_cast<float>(font / 20));
-  const Ticks ticks = round_ticks(range);
   vtkNew<vtkDoubleArray> places;
   vtkNew<vtkStringArray> labels;
-  for (const double value : ticks.values) {
-    places->InsertNextValue(value);
-    labels->InsertNextValue(tick_label(value, ticks.step));
-  }
+  for (const double place : plan.places) places->InsertNextValue(place);
+  for (const std::string& label : plan.labels) labels->InsertNextValue(label);
   axis->SetBehavior(vtkAxis::FIXED);
-  axis->SetRange(range.low, range.high);
+  axis->SetRange(plan.range.low, plan.range.high);
   axis->SetCustomTickPositions(places, labels);
-}
-
-Range extent(const std::vector<Curve>& curves, std::vector<double> Curve::*values) {
-  Range range{0, 0};
-  for (const Curve& curve : curves)
-    for (const double value : curve.*values)
-      if (std::isfinite(value)) range = {std::min(range.low, value), std::max(range.high, value)};
-  return rounded(range);
 }
 
 Rgb colour_of(const Curve& curve, std::size_t number) {
   return curve.mark == Mark::line ? line_colours[number % line_colours.size()] : Rgb{0, 0, 0};
 }
 
-void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t number, double font) {
+void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t number, Scales scales, double font) {
   vtkNew<vtkDoubleArray> x, y;
   x->SetName("x");
   y->SetName(curve.name.c_str());
   for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
-    x->InsertNextValue(curve.x[i]);
-    y->InsertNextValue(curve.y[i]);
+    x->InsertNextValue(place_on(scales.x, curve.x[i]));
+    y->InsertNextValue(place_on(scales.y, curve.y[i]));
   }
   vtkNew<vtkTable> table;
   table->AddColumn(x);
@@ -113,13 +102,13 @@ void add_legend(Overlay& overlay, const std::vector<Curve>& curves, double middl
 }  // namespace
 
 Image draw_curves(const std::vector<Curve>& curves, const std::string& title, const std::string& x_label,
-                  const std::string& y_label, int width, int height) {
+                  const std::string& y_label, int width, int height, Scales scales) {
   const double font = std::max(9.0, std::min(width / 1280.0, height / 720.0) * 24);  // in pixels of the picture
   const double inner = sharpness * font;                                             // and of the window
   vtkNew<vtkChartXY> chart;
-  for (std::size_t i = 0; i < curves.size(); ++i) add_curve(chart, curves[i], i, inner);
-  style_axis(chart->GetAxis(vtkAxis::BOTTOM), extent(curves, &Curve::x), inner);
-  style_axis(chart->GetAxis(vtkAxis::LEFT), extent(curves, &Curve::y), inner);
+  for (std::size_t i = 0; i < curves.size(); ++i) add_curve(chart, curves[i], i, scales, inner);
+  style_axis(chart->GetAxis(vtkAxis::BOTTOM), chart_axis(curves, &Curve::x, scales.x), inner);
+  style_axis(chart->GetAxis(vtkAxis::LEFT), chart_axis(curves, &Curve::y, scales.y), inner);
   // Titles are laid over: the chart's own stand too close to the numbers.
   const Box room{2.8 * font, 2.8 * font, width - 4.6 * font, height - 7.4 * font};
   const auto pixels = [](double size) { return static_cast<float>(sharpness * size); };

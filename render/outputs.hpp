@@ -73,9 +73,17 @@ struct Curve {
   std::vector<double> x, y;
   Mark mark = Mark::line;
 };
-/// A chart with a legend; the ranges take in 0 and end at round numbers.
+
+/// linear: the range takes in 0; decades: logarithmic, for values above 0. Both end at round numbers.
+enum class Scale { linear, decades };
+
+struct Scales {
+  Scale x = Scale::linear, y = Scale::linear;
+};
+
+/// A chart with a legend.
 Image draw_curves(const std::vector<Curve>& curves, const std::string& title, const std::string& x_label,
-                  const std::string& y_label, int width, int height);
+                  const std::string& y_label, int width, int height, Scales scales = {});
 
 /// Throws std::runtime_error when the file can't be written. `text` are tEXt/iTXt chunks: keyword, text.
 void write_png(const std::filesystem::path& file, const Image& image,

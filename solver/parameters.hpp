@@ -108,6 +108,7 @@ struct Parameters {
   struct Time {
     double end = 10;       ///< [s]
     double courant = 0.2;  ///< alpha of equation (18); half of it changes nothing but the run time
+    double step = 0;       ///< of every step [s]; 0: by the rule of equation (18)
   } time;
 
   int threads = 0;  ///< OpenMP threads; 0: one per core

@@ -13,6 +13,7 @@ namespace seiche::validate {
 struct Chart {
   std::string title, x_label, y_label;
   std::vector<render::Curve> curves;
+  render::Scales scales{};
 };
 
 /// What a case finds.

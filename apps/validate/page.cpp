@@ -12,7 +12,7 @@ render::Image draw_page(const std::vector<Chart>& charts) {
   for (std::size_t n = 0; n < charts.size(); ++n) {
     const Chart& chart = charts[n];
     const render::Image part =
-        render::draw_curves(chart.curves, chart.title, chart.x_label, chart.y_label, width, height);
+        render::draw_curves(chart.curves, chart.title, chart.x_label, chart.y_label, width, height, chart.scales);
     const std::size_t left = n % columns * width, top = n / columns * height;
     for (std::size_t row = 0; row < height; ++row)
       std::copy_n(part.rgba.begin() + 4 * row * width, 4 * width,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <tuple>
 
 #include "apps/lists.hpp"
 #include "apps/options.hpp"
@@ -37,13 +38,26 @@ TEST(Readme, NamesEveryKeyOfEveryList) {
 TEST(Scenes, AreAllGoodAndNamedInTheReadme) {
   const std::string readme = test::read_file(source / "README.md");
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(source / "scenes")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source / "scenes")) {
     if (entry.path().extension() != ".toml") continue;
     ++count;
     EXPECT_NO_THROW(read_scene(entry.path().string(), {})) << entry.path();
-    EXPECT_NE(readme.find(fmt::format("`{}`", entry.path().filename().string())), std::string::npos) << entry.path();
+    const std::string name = entry.path().lexically_relative(source / "scenes").string();
+    EXPECT_NE(readme.find(fmt::format("`{}`", name)), std::string::npos) << entry.path();
   }
   EXPECT_GE(count, 5);
+}
+
+// What their timings are divided by.
+TEST(Scenes, ThoseToBeTimedTakeStepsOfOneLengthAndWriteNothing) {
+  for (const auto& [name, particles, steps] : {std::tuple("dam-10mm", 2500, 1000), std::tuple("dam-5mm", 10000, 100)}) {
+    const Scene scene = read_scene((source / "scenes/bench" / name).string() + ".toml", {});
+    const Parameters& p = scene.parameters;
+    EXPECT_NEAR(p.fluid.column * p.fluid.depth / (p.particles.spacing * p.particles.spacing), particles, 1e-6) << name;
+    EXPECT_NEAR(p.time.end / p.time.step, steps, 1e-9) << name;
+    EXPECT_NEAR(p.time.end * scene.output.frame_rate, 1, 1e-12) << name << ": no frame but the first and the last";
+    EXPECT_FALSE(scene.draws() || scene.samples() || scene.output.vtu) << name;
+  }
 }
 
 // A tank's size must not be in the method's defaults.

@@ -1,5 +1,6 @@
 #include "apps/scene_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "apps/options.hpp"
@@ -115,6 +116,20 @@ TEST(SceneFile, EveryMistakeIsToldInTheOrderOfTheFileThenOfTheFlags) {
 
 TEST(SceneFile, KeysThatDontFitTogetherAreRefused) {
   EXPECT_EQ(errors_of("[fluid]\ndepth = 0.5\n"), "x.toml: fluid.depth = 0.5 m is more than tank.height = 0.4 m");
+}
+
+TEST(SceneFile, AStepOfItsOwnMustFallOnFramesAndOnTheEnd) {
+  const auto errors = [](const char* step, const char* end) {
+    return errors_of(fmt::format("[time]\nstep = {}\nend = {}\n", step, end));  // 50 frames a second
+  };
+  EXPECT_EQ(errors("5e-4", "10"), "no error");
+  EXPECT_EQ(errors("0", "10.00031"), "no error");
+  EXPECT_EQ(errors("0.0003", "3"),
+            "x.toml: 1/output.frame_rate = 0.02 s is 66.667 steps of time.step = 0.0003 s; it must be a whole number "
+            "of them");
+  EXPECT_EQ(errors("0.0005", "3.0003"),
+            "x.toml: time.end = 3.0003 s is 6000.600 steps of time.step = 0.0005 s; it must be a whole number of them");
+  EXPECT_EQ(errors("-1", "1"), "x.toml:2:8: [time] step = -1 is out of range; expected a number from 0 to 1 [s]");
 }
 
 TEST(SceneFile, AMissingFileIsNamed) { EXPECT_THROW(read_scene("no/such/file.toml", {}), BadScene); }

@@ -53,6 +53,19 @@ TEST_P(SimulationIn, StepsLandExactlyOnUntil) {
   }
 }
 
+TEST_P(SimulationIn, StepsOfTheScenesOwnAreAllEqual) {
+  Parameters p = surging(GetParam());
+  p.time.step = 2e-4;
+  const auto simulation = make_simulation(p, 0);
+  for (double until : {0.006, 0.02})
+    while (simulation->time() < until) simulation->step(until);
+  const Statistics& totals = simulation->statistics();
+  EXPECT_EQ(simulation->time(), 0.02);
+  EXPECT_EQ(totals.steps, 100);
+  EXPECT_NEAR(totals.shortest_step, 2e-4, 1e-13);
+  EXPECT_NEAR(totals.longest_step, 2e-4, 1e-13);
+}
+
 TEST_P(SimulationIn, TheSameRunGivesTheSameBytes) {
   for (const char* preset : {"paper", "stabilised"}) {
     Parameters p = surging(GetParam());

@@ -46,6 +46,13 @@ TEST(TimeStep, HasACapWithoutViscosityOrGravity) {
   EXPECT_DOUBLE_EQ(step_cap(p), 0.2 * 0.01 * 0.01 / (2 * 1e-6));
 }
 
+TEST(TimeStep, OfTheScenesOwnIsThatHoweverFastTheFluid) {
+  Parameters p = water();
+  p.time.step = 0.02;
+  EXPECT_EQ(step_cap(p), 0.02);
+  for (double fastest : {0., 1., 50.}) EXPECT_EQ(step_rule(p, fastest), 0.02) << fastest;
+}
+
 TEST(SplitEvenly, EndsExactlyInEqualSteps) {
   EXPECT_DOUBLE_EQ(split_evenly(1, 0.3), 0.25);
   EXPECT_DOUBLE_EQ(split_evenly(0.02, 0.5), 0.02);
@@ -60,13 +67,26 @@ TEST(SplitEvenly, NeverExceedsTheRule) {
     const double until = 0.02, first = split_evenly(until, longest);
     while (time < until * (1 - 1e-12)) {
       const double dt = split_evenly(until - time, longest);
-      EXPECT_LE(dt, longest * (1 + 1e-8));
+      EXPECT_LE(dt, longest * (1 + 1e-6));
       EXPECT_NEAR(dt, first, 1e-9 * first) << "the steps are equal";
       time += dt;
       ++steps;
     }
     EXPECT_NEAR(time, until, 1e-15 * steps);
     EXPECT_EQ(steps, std::ceil(until / longest));
+  }
+}
+
+TEST(SplitEvenly, KeepsAWholeNumberOfStepsFarFromTheStart) {
+  const double step = 2.5e-4;
+  for (double start : {1., 100., 10000.}) {
+    double time = start;
+    for (int k = 0; k < 400; ++k) {
+      const double dt = split_evenly(start + 0.1 - time, step);
+      ASSERT_NEAR(dt, step, 1e-6 * step) << start << ", " << k;
+      time += dt;
+    }
+    EXPECT_NEAR(time, start + 0.1, 1e-6 * step);
   }
 }
 
