@@ -49,9 +49,9 @@ build() {
   cmake --build build
 }
 
-# Threads that wait don't spin, as in `seiche` itself.
+# Threads wait as in `seiche` itself (apps/launcher.cpp).
 bench() {
-  export OMP_WAIT_POLICY=passive
+  export OMP_WAIT_POLICY=passive GOMP_SPINCOUNT=300
   build/tests/bench/bench_runs out/bench $1
   small=""
   [ -z "$1" ] || small="--benchmark_filter=-particles:200000 --benchmark_min_time=0.1"

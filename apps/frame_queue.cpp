@@ -76,7 +76,7 @@ void FrameQueue::serve() {
   }
   const std::string trouble = outputs_.end();
   const std::lock_guard lock(mutex_);
-  if (trouble != trouble_) trouble_ += (trouble_.empty() || trouble.empty() ? "" : "; ") + trouble;
+  add_trouble(trouble_, trouble);
   ended_ = true;
   changed_.notify_all();
 }

@@ -39,10 +39,6 @@ double drain(FrameQueue& queue, Progress& progress) {
   return watch.seconds();
 }
 
-void add(std::string& reason, const std::string& another) {
-  if (!another.empty()) reason += (reason.empty() ? "" : "; ") + another;
-}
-
 }  // namespace
 
 std::string name(Ending::Status status) {
@@ -73,7 +69,7 @@ Ending run_loop(Simulation& simulation, Outputs& outputs, const RunInfo& run, Pr
   ending.waited = queue.waited() + rest;
   ending.frames = queue.taken();
   if (!queue.trouble().empty()) ending.status = Ending::Status::failed;
-  add(ending.reason, queue.trouble());
+  add_trouble(ending.reason, queue.trouble());
   return ending;
 }
 

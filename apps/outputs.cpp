@@ -35,7 +35,7 @@ std::string Outputs::end() {
     try {
       if (entry.began) sink->end();
     } catch (const std::exception& error) {
-      errors += (errors.empty() ? "" : "; ") + std::string(error.what());
+      add_trouble(errors, error.what());
     }
     entry.seconds += watch.seconds();
   }
@@ -46,6 +46,10 @@ std::map<std::string, double> Outputs::seconds() const {
   std::map<std::string, double> result;
   for (const Entry& entry : entries_) result[entry.name] = entry.seconds;
   return result;
+}
+
+void add_trouble(std::string& troubles, const std::string& another) {
+  if (!another.empty() && another != troubles) troubles += (troubles.empty() ? "" : "; ") + another;
 }
 
 Outputs make_outputs(const Scene& scene, const OutputFolder& folder) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "solver/chunks.hpp"
 #include "solver/pressure_system.hpp"
+#include "solver/sparse_row.hpp"
 
 namespace seiche::solver {
 
@@ -32,14 +33,7 @@ struct AmgMatrix {
   void close_row(int i);
 
   double linked(int first, int last, const double* x) const {
-    double even = 0, odd = 0;  // two sums: an addition need not wait for the one before
-    int k = first;
-    for (; k + 1 < last; k += 2) {
-      even += weight[k] * x[column[k]];
-      odd += weight[k + 1] * x[column[k + 1]];
-    }
-    if (k < last) even += weight[k] * x[column[k]];
-    return even + odd;
+    return row_times(weight.data(), column.data(), first, last, x);
   }
 
   /// (A x)_i

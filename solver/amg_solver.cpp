@@ -7,15 +7,8 @@ namespace {
 
 /// (A x)_i
 double product(const SparseView& a, int i, const double* x) {
-  const int *start = a.outerIndexPtr(), *column = a.innerIndexPtr();
-  const double* value = a.valuePtr();
-  double even = 0, odd = 0;
-  int k = start[i];
-  for (; k + 1 < start[i + 1]; k += 2) {
-    even += value[k] * x[column[k]];
-    odd += value[k + 1] * x[column[k + 1]];
-  }
-  return k < start[i + 1] ? even + odd + value[k] * x[column[k]] : even + odd;
+  const int* start = a.outerIndexPtr();
+  return row_times(a.valuePtr(), a.innerIndexPtr(), start[i], start[i + 1], x);
 }
 
 }  // namespace

@@ -16,7 +16,6 @@ class Pairs {
     index_.resize(list.capacity());
     weight_.resize(list.capacity());
     const double reach = w.support * w.support;
-    const double* position = s.position.data()->data();
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < size; ++i) {
       const Vec<D> ri = s.position[i];
@@ -30,11 +29,7 @@ class Pairs {
         const int count = std::min<int>(block, row.size() - begin);
 #pragma omp simd
         for (int m = 0; m < count; ++m) {
-          double r2 = 0;
-          for (int a = 0; a < D; ++a) {
-            const double d = position[D * js[m] + a] - ri[a];
-            r2 += d * d;
-          }
+          const double r2 = squared_distance<D>(s.position, js[m], ri);
           squared[m] = r2;
           weight[m] = w(std::sqrt(r2)) / r2;
         }

@@ -45,6 +45,7 @@ template <int D>
 void set_surface_pressure(double rho, const Vecs<D>& force, const Vecs<D>& viscous, const SurfaceDepth& depth,
                           const Scalars& density, State<D>& s) {
   const int size = static_cast<int>(s.size());
+#pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     if (!s.surface[i]) continue;
     const double f = force[i].norm();

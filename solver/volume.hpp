@@ -25,7 +25,6 @@ struct VolumeKernel {
 template <int D>
 void volume_excess(const VolumeKernel& w, double whole, const Neighbours<D>& list, const State<D>& s, Scalars& out) {
   const int size = static_cast<int>(s.size());
-  const double* position = s.position.data()->data();
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     if (s.kind[i] != Kind::fluid) continue;
@@ -33,14 +32,8 @@ void volume_excess(const VolumeKernel& w, double whole, const Neighbours<D>& lis
     const std::span<const int> row = list[i];
     double sum = w(0);
 #pragma omp simd reduction(+ : sum)
-    for (int m = 0; m < static_cast<int>(row.size()); ++m) {
-      double r2 = 0;
-      for (int a = 0; a < D; ++a) {
-        const double d = position[D * row[m] + a] - ri[a];
-        r2 += d * d;
-      }
-      sum += s.wet[row[m]] * w(std::sqrt(r2));
-    }
+    for (int m = 0; m < static_cast<int>(row.size()); ++m)
+      sum += s.wet[row[m]] * w(std::sqrt(squared_distance<D>(s.position, row[m], ri)));
     out[i] = sum / whole - 1;
   }
 }
