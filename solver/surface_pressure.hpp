@@ -7,17 +7,17 @@
 namespace seiche::solver {
 
 /// How far below the free surface a particle of number density n lies [m]: l0/2 in the topmost layer under a flat
-/// surface, 3/2 l0 in the second, between them l0/2 + l0 q^2, q the share of the way from the density of the one to
+/// surface, 3/2 l0 in the second, between them l0/2 + l0 q^4, q the share of the way from the density of the one to
 /// that of the other; less than l0/2 in proportion to n for drops and films. The second layer's density is hardly below
-/// n0: there flags come and go, and so that pressure doesn't jump with them, its depth must be the true one. The square
-/// leaves the topmost layer, whose density disorder changes most, its flat surface.
+/// n0: there flags come and go, and so that pressure doesn't jump with them, its depth must be the true one. The fourth
+/// power leaves the topmost layer, whose density disorder changes most, its flat surface; a square damps waves more.
 struct SurfaceDepth {
   double l0, topmost, second;  ///< spacing [m] and the densities of the two layers, on the lattice
 
   double operator()(double n) const {
     if (n < topmost) return 0.5 * l0 * n / topmost;
     const double q = std::min(1.0, (n - topmost) / (second - topmost));
-    return l0 * (0.5 + q * q);
+    return l0 * (0.5 + q * q * q * q);
   }
 };
 

@@ -37,8 +37,8 @@ TEST(SurfaceDepth, RisesSmoothlyFromADropToTheSecondLayer) {
   EXPECT_DOUBLE_EQ(depth(0), 0);
   EXPECT_DOUBLE_EQ(depth(0.5), 0.125 * l0) << "a drop: in proportion";
   EXPECT_DOUBLE_EQ(depth(2), 0.5 * l0);
-  EXPECT_DOUBLE_EQ(depth(2.1), 0.51 * l0) << "hardly more while the density is nearly the topmost layer's";
-  EXPECT_DOUBLE_EQ(depth(2.5), 0.75 * l0);
+  EXPECT_DOUBLE_EQ(depth(2.1), 0.5001 * l0) << "hardly more while the density is nearly the topmost layer's";
+  EXPECT_DOUBLE_EQ(depth(2.5), 0.5625 * l0);
   EXPECT_DOUBLE_EQ(depth(3), 1.5 * l0);
   EXPECT_DOUBLE_EQ(depth(4), 1.5 * l0);
 }
