@@ -64,6 +64,7 @@ void OutputFolder::prepare() const {
     for (const char* ending : {".mp4", ".webm", ".gif", ".pvd", ".vtu.series"}) remove_file(path / (scene + ending));
     remove_file(probes());
     remove_file(report());
+    remove_file(samples());
   } catch (const fs::filesystem_error& error) {
     throw BadFolder(fmt::format("can't prepare the output folder {}: {}", path.string(), error.code().message()));
   }

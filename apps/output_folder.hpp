@@ -20,6 +20,7 @@ struct OutputFolder {
   std::filesystem::path pvd() const { return path / (scene + ".pvd"); }
   std::filesystem::path probes() const { return path / "probes.csv"; }
   std::filesystem::path report() const { return path / "run.json"; }
+  std::filesystem::path samples() const { return path / "samples.json"; }
 
   /// Throws BadFolder where a file stands in the way, or files do and may not be overwritten. Writes nothing.
   void check(bool overwrite) const;

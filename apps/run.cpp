@@ -34,6 +34,7 @@ int simulate(const Scene& scene, const OutputFolder& folder, Simulation& simulat
   const SignalWatch signals;
   Progress progress(Progress::suitable(quiet));
   Outputs outputs = make_outputs(scene, folder);
+  write_samples(folder.samples(), scene);
   write_run_json(folder.report(), scene, {{}, simulation.statistics(), {}});
 
   const Ending ending = run_loop(simulation, outputs, run_info(scene), progress, [&] { return signals.caught(); });

@@ -1,7 +1,8 @@
 #include "apps/run_json.hpp"
 
-#include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "apps/lists.hpp"
 #include "apps/options.hpp"
@@ -32,6 +33,18 @@ Json parameters(const Scene& scene) {
     std::visit([&](const auto& value) { at[std::string(option.key)] = value; }, value_of(option, scene));
   }
   for (const List& list : lists()) result[std::string(list.section)][std::string(list.key)] = tables(list, scene);
+  return result;
+}
+
+// A gap is null.
+Json samples(const Scene& scene) {
+  const Parameters::TimeSeries& motion = scene.parameters.motion.series;
+  Json result{
+      {"motion",
+       {{"time_s", motion.time}, {"surge_m", motion.surge}, {"heave_m", motion.heave}, {"roll_deg", motion.roll}}},
+      {"references", Json::array()}};
+  for (const render::Reference& reference : scene.look.references)
+    result["references"].push_back({{"time_s", reference.series.time}, {"value", reference.series.value}});
   return result;
 }
 
@@ -78,6 +91,66 @@ Json speed(const RunRecord& record) {
           {"waited_for_outputs_share", waited_share(record.times)}};
 }
 
+Value value_from(const nlohmann::json& json) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number_integer()) return json.get<std::int64_t>();
+  if (json.is_number()) return json.get<double>();
+  return json.get<std::string>();
+}
+
+void refuse_if(const std::optional<std::string>& complaint) {
+  if (complaint) throw std::invalid_argument(*complaint);
+}
+
+void read_parameters(const nlohmann::json& json, Scene& scene) {
+  for (const Option& option : options()) {
+    const auto& at = option.section.empty() ? json : json.at(std::string(option.section));
+    refuse_if(assign(option, scene, value_from(at.at(std::string(option.key)))));
+  }
+  for (const List& list : lists()) {
+    const auto& tables = json.at(std::string(list.section)).at(std::string(list.key));
+    list.reset(scene, tables.size());
+    for (std::size_t row = 0; row < tables.size(); ++row)
+      for (const Member& member : list.members)
+        refuse_if(put(value_from(tables[row].at(std::string(member.key))),
+                      {target(member, scene, row), member.rule, title(list, member), expected(member)}));
+  }
+}
+
+std::vector<double> numbers(const nlohmann::json& json) {
+  std::vector<double> values;
+  for (const auto& each : json)
+    values.push_back(each.is_null() ? std::numeric_limits<double>::quiet_NaN() : each.get<double>());
+  return values;
+}
+
+std::optional<Ending> read_ending(const nlohmann::json& json) {
+  const std::string status = json.at("status");
+  if (status == "running") return {};
+  Ending ending;
+  for (const auto each : {Ending::Status::finished, Ending::Status::failed, Ending::Status::interrupted})
+    if (status == name(each)) ending.status = each;
+  ending.time = json.at("time_s");
+  ending.frames = json.at("frames");
+  ending.reason = json.value("reason", "");
+  return ending;
+}
+
+void read_statistics(const nlohmann::json& json, Statistics& s) {
+  const auto &steps = json.at("steps"), &pressure = json.at("pressure"), &particles = json.at("particles");
+  s.steps = steps.at("count");
+  s.shortest_step = steps.at("shortest_s");
+  s.longest_step = steps.at("longest_s");
+  s.list_builds = steps.at("list_builds");
+  s.iterations = pressure.at("iterations");
+  s.worst_residual = pressure.at("worst_residual");
+  s.fluid_particles = particles.at("fluid");
+  s.wall_particles = particles.at("wall");
+  s.dummy_particles = particles.at("dummy");
+  s.leaked = particles.at("leaked");
+  s.spilled = particles.at("spilled");
+}
+
 }  // namespace
 
 void write_run_json(const std::filesystem::path& file, const Scene& scene, const RunRecord& record) {
@@ -94,6 +167,37 @@ void write_run_json(const std::filesystem::path& file, const Scene& scene, const
     json["speed"] = speed(record);
   }
   render::write_file(file, json.dump(2) + "\n");
+}
+
+void write_samples(const std::filesystem::path& file, const Scene& scene) {
+  if (scene.parameters.motion.series.time.empty() && scene.look.references.empty()) return;
+  render::write_file(file, samples(scene).dump() + "\n");
+}
+
+void read_run_json(const nlohmann::json& json, Scene& scene, RunRecord& record) {
+  scene = {};
+  scene.name = json.at("scene").at("name");
+  scene.file = json.at("scene").at("file");
+  scene.parameters.threads = json.at("threads");
+  read_parameters(json.at("parameters"), scene);
+  record = {};
+  record.ending = read_ending(json.at("run"));
+  read_statistics(json, record.statistics);
+  if (!record.ending) return;
+  const auto& seconds = json.at("seconds");
+  record.times.total = seconds.at("total");
+  record.times.waited = record.ending->waited = seconds.at("waited_for_outputs");
+}
+
+void read_samples(const nlohmann::json& json, Scene& scene) {
+  const auto& motion = json.at("motion");
+  scene.parameters.motion.series = {numbers(motion.at("time_s")), numbers(motion.at("surge_m")),
+                                    numbers(motion.at("heave_m")), numbers(motion.at("roll_deg"))};
+  std::size_t row = 0;
+  for (render::Reference& reference : scene.look.references) {
+    const auto& series = json.at("references").at(row++);
+    reference.series = {numbers(series.at("time_s")), numbers(series.at("value"))};
+  }
 }
 
 }  // namespace seiche::apps

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "apps/loop.hpp"
@@ -19,5 +20,16 @@ struct RunRecord {
 /// Writes the record as JSON, to a temporary file first, so that a reader never finds half of one.
 /// Throws std::runtime_error.
 void write_run_json(const std::filesystem::path& file, const Scene& scene, const RunRecord& record);
+
+/// Writes what the scene's own files hold, its motion and its references, which may be gone when the run is shown
+/// again; nothing where it has none. Throws std::runtime_error.
+void write_samples(const std::filesystem::path& file, const Scene& scene);
+
+/// The scene and the record that write_run_json was given, but for samples and times of stages. Throws nlohmann's
+/// exceptions, and std::invalid_argument with the key that doesn't fit.
+void read_run_json(const nlohmann::json& json, Scene& scene, RunRecord& record);
+
+/// Adds what write_samples was given. Throws nlohmann's exceptions.
+void read_samples(const nlohmann::json& json, Scene& scene);
 
 }  // namespace seiche::apps
