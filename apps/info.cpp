@@ -9,6 +9,7 @@
 #include "apps/run_info.hpp"
 #include "render/outputs.hpp"
 #include "solver/pressure_solver.hpp"
+#include "solver/processor.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -40,9 +41,9 @@ std::string info_text() {
       "  ffmpeg    {}\n"
       "  Eigen     {}.{}.{}\n"
       "  CHOLMOD   {} (SuiteSparse)\n"
-      "  threads   {}\n",
+      "  solver    for {}, {} threads\n",
       version(), gl(), render::vtk_version(), ffmpeg(), EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
-      solver::cholmod_version(), omp_get_num_procs());
+      solver::cholmod_version(), solver::processor(), omp_get_num_procs());
 }
 
 }  // namespace seiche::apps

@@ -62,7 +62,7 @@ void Aggregates::list_members(int rows) {
   for (int i = 0; i < rows; ++i)
     if (of[i] >= 0) ++start[of[i]];
   for (int g = 0, total = 0; g <= count; ++g) start[g] = total += start[g];
-  member.resize(start[count]);
+  resize_kept(member, start[count]);
   for (int i = rows - 1; i >= 0; --i)
     if (of[i] >= 0) member[--start[of[i]]] = i;
 }

@@ -10,11 +10,11 @@ void Amg::set_up(const SparseView& a) {
   for (;;) {
     Level& fine = level_[levels_++];
     const int rows = fine.matrix.rows;
-    fine.smooth.resize(rows);
+    resize_kept(fine.smooth, rows);
     if (levels_ > 1) {
       for (auto* v :
            {&fine.right, &fine.solution, &fine.residual, &fine.step1, &fine.image1, &fine.step2, &fine.image2})
-        v->resize(rows);
+        resize_kept(*v, rows);
       if (rows <= few) break;
     }
     fine.aggregates.find(fine.matrix);

@@ -7,13 +7,13 @@ void AmgMatrix::keep_strong(const SparseView& a) {
   const int *start = a.outerIndexPtr(), *index = a.innerIndexPtr();
   const double* value = a.valuePtr();
   rows = static_cast<int>(a.rows());
-  row.resize(rows);
-  column.resize(a.nonZeros());
-  weight.resize(a.nonZeros());
-  sum.resize(rows);
-  diagonal.resize(rows);
-  inverse.resize(rows);
-  least_.resize(rows);
+  resize_kept(row, rows);
+  resize_kept(column, a.nonZeros());
+  resize_kept(weight, a.nonZeros());
+  resize_kept(sum, rows);
+  resize_kept(diagonal, rows);
+  resize_kept(inverse, rows);
+  resize_kept(least_, rows);
   each_row(rows, [&](int i) {
     double total = 0, strongest = 0;
     for (int k = start[i]; k < start[i + 1]; ++k) {

@@ -13,9 +13,9 @@ double product(const SparseView& a, int i, const double* x) {
 
 }  // namespace
 
-SolveReport AmgSolver::solve(const SparseView& a, const Eigen::VectorXd& b, Eigen::VectorXd& x) {
+SolveReport AmgSolver::solve(const SparseView& a, const VectorIn& b, VectorOut x) {
   const int rows = static_cast<int>(a.rows());
-  for (auto* v : {&residual_, &corrected_, &direction_, &image_}) v->resize(rows);
+  for (auto* v : {&residual_, &corrected_, &direction_, &image_}) resize_kept(*v, rows);
   double *r = residual_.data(), *z = corrected_.data(), *p = direction_.data(), *q = image_.data();
 
   const auto [bb, first] = sums_.add_up<2>(rows, [&](int i, auto& s) {

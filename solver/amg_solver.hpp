@@ -9,7 +9,7 @@ namespace seiche::solver {
 class AmgSolver : public PressureSolver {
  public:
   AmgSolver(double tolerance, int max_iterations) : tolerance_(tolerance), max_iterations_(max_iterations) {}
-  SolveReport solve(const SparseView& a, const Eigen::VectorXd& b, Eigen::VectorXd& x) override;
+  SolveReport solve(const SparseView& a, const VectorIn& b, VectorOut x) override;
 
  private:
   double tolerance_;

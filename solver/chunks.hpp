@@ -11,12 +11,12 @@ inline constexpr int chunk_rows = 512;
 
 inline int chunks_of(int rows) { return (rows + chunk_rows - 1) / chunk_rows; }
 
-/// Calls f(first row, last row + 1) for each chunk, by several threads where it pays to wake them: a chunk takes a few
-/// microseconds, as long as that does.
-template <class F>
+/// Calls f(first row, last row + 1) for each chunk, by several threads where it pays to wake them.
+/// @tparam worth chunks that it pays for: where a row takes some nanoseconds, a chunk takes as long as waking does
+template <int worth = 12, class F>
 void each_chunk(int rows, F f) {
   const int chunks = chunks_of(rows);
-#pragma omp parallel for schedule(static) if (chunks >= 12)
+#pragma omp parallel for schedule(static) if (chunks >= worth)
   for (int c = 0; c < chunks; ++c) f(c * chunk_rows, std::min((c + 1) * chunk_rows, rows));
 }
 

@@ -33,15 +33,15 @@ inline void mark_free_surface(const Reference& ref, double beta, double count_sh
     surface[i] = kind[i] != Kind::dummy && n[i] < beta * ref.n0 && (count_share == 0 || count[i] <= most_count);
 }
 
-/// 1 at the free surface and wherever a neighbour is on it.
+/// 1 at the free surface and wherever a neighbour is on it. Found from the surface, of which there is little: pairs
+/// hold both ways.
 template <int D>
-void mark_near_surface(const Pairs<D>& pairs, const std::vector<std::uint8_t>& surface,
-                       std::vector<std::uint8_t>& near) {
-  const int size = static_cast<int>(surface.size());
-#pragma omp parallel for schedule(static)
+void mark_near_surface(const Pairs<D>& pairs, const State<D>& s, std::vector<std::uint8_t>& near) {
+  near = s.surface;
+  const int size = static_cast<int>(s.size());
   for (int i = 0; i < size; ++i) {
-    near[i] = surface[i];
-    for (int j : pairs[i]) near[i] |= surface[j];
+    if (!s.surface[i]) continue;
+    for (int j : pairs[i]) near[j] |= s.kind[j] != Kind::dummy;
   }
 }
 

@@ -26,22 +26,23 @@ void velocity_divergence(const Pairs<D>& pairs, double n0, const State<D>& s, Sc
     bool walled = !fluid;
     const Vec<D> ui = s.velocity[i];
     double sum = 0;
-    Matrix gradient = Matrix::Zero(), moment = Matrix::Zero();
+    OuterSum<D> gradients, moments;
     pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
       const bool fluid_j = s.kind[j] == Kind::fluid;
       if ((!fluid && !fluid_j) || s.wet[j] == 0) return;
       const Vec<D> du = s.velocity[j] - ui;
       if (fluid && fluid_j) {
         sum += weight * du.dot(rij);
-        gradient += weight * du * rij.transpose();
-        moment += weight * rij * rij.transpose();
+        gradients.add(weight * du, rij);
+        moments.add(weight * rij, rij);
       } else {
         walled = true;
         sum += (fluid ? s.wet[j] : 1) * weight * 2 * rise_across(fluid ? s.normal[j] : s.normal[i], du, rij);
       }
     });
+    const Matrix moment = moments.matrix();
     const bool singular = walled || !((D / n0 * moment).determinant() > least_moment);
-    out[i] = singular ? D / n0 * sum : (gradient * moment.inverse()).trace();
+    out[i] = singular ? D / n0 * sum : (gradients.matrix() * moment.inverse()).trace();
   }
 }
 

@@ -6,10 +6,10 @@ namespace seiche::solver {
 
 void Galerkin::form(const AmgMatrix& a, const Aggregates& p, AmgMatrix& coarse) {
   const int rows = coarse.rows = p.count;
-  coarse.row.resize(rows);
-  coarse.sum.resize(rows);
-  coarse.diagonal.resize(rows);
-  coarse.inverse.resize(rows);
+  resize_kept(coarse.row, rows);
+  resize_kept(coarse.sum, rows);
+  resize_kept(coarse.diagonal, rows);
+  resize_kept(coarse.inverse, rows);
 
   // A chunk of coarse rows gets room for as many links as its members have.
   room_.assign(chunks_of(rows) + 1, 0);
@@ -18,11 +18,15 @@ void Galerkin::form(const AmgMatrix& a, const Aggregates& p, AmgMatrix& coarse) 
       room_[first / chunk_rows + 1] += a.row[p.member[m]].end - a.row[p.member[m]].lower;
   });
   for (int c = 0; c < chunks_of(rows); ++c) room_[c + 1] += room_[c];
-  coarse.column.resize(room_.back());
-  coarse.weight.resize(room_.back());
+  resize_kept(coarse.column, room_.back());
+  resize_kept(coarse.weight, room_.back());
 
   gathered_.resize(std::max<std::size_t>(gathered_.size(), omp_get_max_threads()));
-  for (Gathered& g : gathered_) g.place.resize(std::max<std::size_t>(g.place.size(), rows), -1);
+  for (Gathered& g : gathered_) {
+    g.place.resize(std::max<std::size_t>(g.place.size(), rows), -1);
+    g.column.reserve(rows);  // no row links to more
+    g.weight.reserve(rows);
+  }
   each_chunk(rows, [&](int first, int last) {
     Gathered& found = gathered_[omp_get_thread_num()];
     int out = room_[first / chunk_rows];

@@ -2,6 +2,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "solver/outer_sum.hpp"
 #include "solver/pairs.hpp"
 
 namespace seiche::solver {
@@ -28,14 +29,14 @@ template <int D>
 struct GradientSums {
   Vec<D> differences = Vec<D>::Zero();  ///< sum (f_j - f_i) r_ij w/r^2
   Vec<D> directions = Vec<D>::Zero();   ///< sum r_ij w/r^2
-  Eigen::Matrix<double, D, D> moment = Eigen::Matrix<double, D, D>::Zero();
-  double least = 0;  ///< f_min - f_i, at most 0
+  OuterSum<D> moment;                   ///< sum r_ij r_ij^T w/r^2
+  double least = 0;                     ///< f_min - f_i, at most 0
 
   void add(double weight, const Vec<D>& rij, double difference) {
     least = std::min(least, difference);
     differences += weight * difference * rij;
     directions += weight * rij;
-    moment += weight * rij * rij.transpose();
+    moment.add(weight * rij, rij);
   }
 
   /// A wall tells the slope across it, and nothing of the slope along it.
@@ -43,7 +44,7 @@ struct GradientSums {
     const Vec<D> across = normal.isZero() ? rij : Vec<D>(normal.dot(rij) * normal);
     differences += weight * slope.dot(across) * across;
     directions += weight * across;
-    moment += weight * across * across.transpose();
+    moment.add(weight * across, across);
   }
 };
 
@@ -57,7 +58,7 @@ Vec<D> combine(MinimumGradient, const GradientSums<D>& s, double n0) {
 }
 template <int D>
 Vec<D> combine(CorrectedGradient, const GradientSums<D>& s, double n0) {
-  const Eigen::Matrix<double, D, D> m = D / n0 * s.moment;
+  const Eigen::Matrix<double, D, D> m = D / n0 * s.moment.matrix();
   const Vec<D> plain = D / n0 * s.differences;
   return m.determinant() > least_moment ? Vec<D>(m.inverse() * plain) : plain;
 }

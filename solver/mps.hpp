@@ -122,7 +122,7 @@ class Mps final : public Simulation {
   Vecs<D> force_, slope_;  ///< f of this step at each fluid particle [m/s^2], and rho f [Pa/m]
   Vecs<D> viscous_;        ///< nu times the Laplacian of u [m/s^2]
   std::vector<std::uint8_t> near_;
-  Eigen::VectorXd solution_;
+  Scalars solution_;
 };
 
 /// Compiled in mps_2d.cpp and mps_3d.cpp.

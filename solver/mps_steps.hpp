@@ -172,7 +172,7 @@ void Mps<D>::find_surface() {
   number_density(*density_range_.pairs, s_, n_, count_);
   const double share = p_.method.surface == "density" ? 0 : count_share;
   mark_free_surface(density_range_.ref, p_.method.surface_beta, share, n_, count_, s_.kind, s_.surface);
-  mark_near_surface(*density_range_.pairs, s_.surface, near_);
+  mark_near_surface(*density_range_.pairs, s_, near_);
 }
 
 /// Solves equation (10) for the pressure at the end of the step.
@@ -218,7 +218,7 @@ void Mps<D>::assemble(const Boundary& boundary, double dt) {
     volume_excess(volume_kernel_, whole_volume_, list_, s_, excess_);
   }
   system_.assemble(*laplacian_range_.pairs, definite * ref.n0, boundary, s_);
-  solution_.resize(system_.rows());
+  resize_kept(solution_, system_.rows());
 #pragma omp parallel for schedule(static)
   for (int k = 0; k < system_.rows(); ++k) {
     const int i = system_.particle(k);
@@ -232,7 +232,8 @@ template <int D>
 void Mps<D>::solve_system() {
   if (system_.rows() == 0) return;
   if (!system_.right().allFinite()) watch_.fail_not_finite(s_);
-  const SolveReport report = solver_->solve(system_.matrix(), system_.right(), solution_);
+  const SolveReport report =
+      solver_->solve(system_.matrix(), system_.right(), VectorView(solution_.data(), system_.rows()));
   totals_.iterations += report.iterations;
   totals_.last_iterations = report.iterations;
   totals_.last_residual = report.residual;

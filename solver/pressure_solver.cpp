@@ -9,7 +9,7 @@
 namespace seiche::solver {
 namespace {
 
-double relative_residual(const SparseView& a, const Eigen::VectorXd& b, const Eigen::VectorXd& x) {
+double relative_residual(const SparseView& a, const VectorIn& b, const VectorIn& x) {
   const double norm = b.norm();
   return norm > 0 ? (b - a * x).norm() / norm : x.norm();
 }
@@ -20,7 +20,7 @@ class Iccg : public PressureSolver {
     solver_.setTolerance(tolerance);
     solver_.setMaxIterations(max_iterations);
   }
-  SolveReport solve(const SparseView& a, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
+  SolveReport solve(const SparseView& a, const VectorIn& b, VectorOut x) override {
     solver_.compute(a);
     if (solver_.info() != Eigen::Success) return {0, 1, false};
     x = solver_.solveWithGuess(b, x);
@@ -36,7 +36,7 @@ class Iccg : public PressureSolver {
 class Sor : public PressureSolver {
  public:
   Sor(double tolerance, int max_iterations) : tolerance_(tolerance), max_iterations_(max_iterations) {}
-  SolveReport solve(const SparseView& a, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
+  SolveReport solve(const SparseView& a, const VectorIn& b, VectorOut x) override {
     // omega = 1.5: over-relaxation converges for every 0 < omega < 2 (Ostrowski 1954); the best one grows towards 2
     // with the tank, this one is safe.
     constexpr double omega = 1.5;
@@ -64,7 +64,7 @@ class Sor : public PressureSolver {
 
 class Cholmod : public PressureSolver {
  public:
-  SolveReport solve(const SparseView& a, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
+  SolveReport solve(const SparseView& a, const VectorIn& b, VectorOut x) override {
     // The matrix is symmetric, so its rows serve as the columns that CHOLMOD wants.
     const Eigen::Map<const Eigen::SparseMatrix<double>> columns(a.rows(), a.cols(), a.nonZeros(), a.outerIndexPtr(),
                                                                 a.innerIndexPtr(), a.valuePtr());

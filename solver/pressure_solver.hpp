@@ -12,11 +12,15 @@ struct SolveReport {
   bool converged = false;
 };
 
+/// Vectors that a solver reads, and writes into: Eigen's, or views of them.
+using VectorIn = Eigen::Ref<const Eigen::VectorXd>;
+using VectorOut = Eigen::Ref<Eigen::VectorXd>;
+
 /// Solves A x = b, A symmetric positive definite; x holds the first guess on entry.
 class PressureSolver {
  public:
   virtual ~PressureSolver() = default;
-  virtual SolveReport solve(const SparseView& a, const Eigen::VectorXd& b, Eigen::VectorXd& x) = 0;
+  virtual SolveReport solve(const SparseView& a, const VectorIn& b, VectorOut x) = 0;
 };
 
 /// By name:

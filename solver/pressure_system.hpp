@@ -8,6 +8,7 @@ namespace seiche::solver {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 using SparseView = Eigen::Map<const SparseMatrix>;
+using VectorView = Eigen::Map<Eigen::VectorXd>;
 
 /// The pressure equation (10) as A p = b, A sparse, symmetric, positive definite. Both sides of equation (10) are
 /// multiplied by -lambda n0/(2d), so that row i reads  sum_j w_ij (p_i - p_j) + c p_i = b_i.
@@ -34,9 +35,9 @@ class PressureSystem {
       start_[k + 1] = count;
     }
     for (int k = 0; k < rows; ++k) start_[k + 1] += start_[k];
-    column_.resize(start_[rows]);
-    value_.resize(start_[rows]);
-    right_.resize(rows);
+    resize_kept(column_, start_[rows]);
+    resize_kept(value_, start_[rows]);
+    resize_kept(right_, rows);
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < rows; ++k) fill_row(pairs, diagonal, boundary, s, k);
   }
@@ -46,7 +47,7 @@ class PressureSystem {
     return {rows(), rows(), static_cast<int>(value_.size()), start_.data(), column_.data(), value_.data()};
   }
   /// b; holds what the boundary adds after assemble(), to which the caller adds the source.
-  Eigen::VectorXd& right() { return right_; }
+  VectorView right() { return {right_.data(), rows()}; }
   /// Particle of a row, and row of a particle (-1: it has none).
   int particle(int row) const { return particle_[row]; }
   int row(int particle) const { return row_[particle]; }
@@ -76,8 +77,7 @@ class PressureSystem {
   }
 
   std::vector<int> row_, particle_, start_, column_;
-  Scalars value_;
-  Eigen::VectorXd right_;
+  Scalars value_, right_;
 };
 
 }  // namespace seiche::solver

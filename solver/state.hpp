@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solver/frame.hpp"
+#include "solver/kept.hpp"
 #include "solver/vec.hpp"
 
 namespace seiche::solver {
@@ -51,8 +52,10 @@ struct State {
  private:
   template <class T>
   static void pick(std::vector<T>& values, const std::vector<int>& order, std::vector<T>& buffer) {
-    buffer.resize(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) buffer[k] = values[order[k]];
+    const int size = static_cast<int>(order.size());
+    resize_kept(buffer, size);
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < size; ++k) buffer[k] = values[order[k]];
     values.swap(buffer);
   }
 

@@ -37,7 +37,7 @@ void density_and_surface(StirredTank& t) {
   t.wetness(t.near_pairs, t.ref.n0, t.s);
   number_density(t.near_pairs, t.s, t.n, t.count);
   mark_free_surface(t.ref, 0.97, count_share, t.n, t.count, t.s.kind, t.s.surface);
-  mark_near_surface(t.near_pairs, t.s.surface, t.near);
+  mark_near_surface(t.near_pairs, t.s, t.near);
 }
 
 void viscous(StirredTank& t) { strain_rate_divergence(t.near_pairs, t.ref, true, t.s, t.vectors); }

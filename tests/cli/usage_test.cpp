@@ -191,6 +191,40 @@ TEST(Usage, InfoNamesTheRendererAndTheEncoders) {
     EXPECT_NE(result.out.find(text), std::string::npos) << text;
 }
 
+// The loader takes the build of the solver that suits the processor; told that there is no AVX2, it takes another, with
+// the same results but for rounding.
+TEST(Usage, TheSolverSuitsTheProcessor) {
+  const Scratch scratch;
+  const std::string without = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2";
+  const auto info = [&](const std::vector<std::string>& environment) {
+    return seiche(scratch.folder(), {"info"}, environment).out;
+  };
+#ifdef __x86_64__
+  EXPECT_NE(info({without}).find("for x86-64-v2"), std::string::npos);
+  if (__builtin_cpu_supports("avx2")) {
+    EXPECT_NE(info({}).find("for x86-64-v3"), std::string::npos);
+  }
+#endif
+  const auto last_readings = [&](const std::string& folder, const std::vector<std::string>& environment) {
+    const Result result = seiche(scratch.folder(),
+                                 {"run", quick, "--end", "0.1", "--set", "output.pictures=false", "--set",
+                                  "output.movie=none", "--quiet", "-o", folder},
+                                 environment);
+    EXPECT_EQ(result.code, 0) << result.err;
+    std::istringstream last(read_file(scratch / folder / "probes.csv"));
+    std::string line, cell;
+    for (std::string next; std::getline(last, next);) line = next;
+    std::istringstream cells(line);
+    std::vector<double> values;
+    while (std::getline(cells, cell, ',')) values.push_back(std::stod(cell));
+    return values;
+  };
+  const std::vector<double> one = last_readings("one", {}), other = last_readings("other", {without});
+  ASSERT_GT(one.size(), 5u);
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(one[k], other[k], 1e-3 * std::abs(one[k]) + 1e-5) << k;
+}
+
 TEST(Usage, KernelsArePrintedOrDrawn) {
   const Scratch scratch;
   EXPECT_NE(seiche(scratch.folder(), {"kernels"}).out.find("KF5"), std::string::npos);

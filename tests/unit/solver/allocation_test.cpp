@@ -5,12 +5,16 @@
 #include <new>
 
 #include "solver/amg_solver.hpp"
+#include "solver/simulation.hpp"
+#include "tests/unit/solver/still_tank.hpp"
 #include "tests/unit/solver/stirred_system.hpp"
 
-// A program of its own, because it replaces operator new by one that counts.
+// A program of its own, because it replaces malloc by one that counts, which Eigen and operator new both end at. The
+// sanitizers have a malloc of their own: there only operator new is counted.
 namespace {
 std::atomic<long> allocations{0};
 }
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 void* operator new(std::size_t size) {
   ++allocations;
   if (void* p = std::malloc(size)) return p;
@@ -18,6 +22,20 @@ void* operator new(std::size_t size) {
 }
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+#else
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* realloc(void* p, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(p, size);
+}
+}
+#endif
 
 namespace seiche::solver {
 namespace {
@@ -35,6 +53,23 @@ TEST(AmgSolver, AllocatesNothingOnceItHasSolvedASystemOfTheSize) {
   ASSERT_TRUE(solver.solve(smaller.matrix(), smaller.b, y).converged);
   EXPECT_EQ(allocations, first);
 }
+
+void expect_steps_without_allocations(Parameters p) {
+  p.motion = {.type = "surge", .amplitude = 0.03, .frequency = 1};
+  const auto simulation = make_simulation(p, 0);
+  const auto take = [&](int steps) {
+    for (int k = 0; k < steps; ++k) simulation->step(100);
+  };
+  take(80);
+  const long before = allocations, lists = simulation->statistics().list_builds;
+  take(40);
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(simulation->statistics().list_builds, lists) << "the steps made no list";
+}
+
+TEST(Step, AllocatesNothingOnceBuffersHaveTheirSizeIn2D) { expect_steps_without_allocations(test::small_tank<2>()); }
+
+TEST(Step, AllocatesNothingOnceBuffersHaveTheirSizeIn3D) { expect_steps_without_allocations(test::small_tank<3>()); }
 
 }  // namespace
 }  // namespace seiche::solver

@@ -43,7 +43,7 @@ struct StillTank {
   void find_surface() {
     number_density(pairs(), s, n, count);
     mark_free_surface(ref, 0.97, 0.85, n, count, s.kind, s.surface);
-    mark_near_surface(pairs(), s.surface, near);
+    mark_near_surface(pairs(), s, near);
   }
 
   /// Walls are wet at first, dry ones too.

@@ -97,7 +97,7 @@ TYPED_TEST(Surface, NearItIsWhatReachesAFlag) {
   const int flagged = test::nearest<D>(b.s, Vec<D>::Zero());
   b.s.surface[flagged] = 1;
   std::vector<std::uint8_t> near(b.s.size(), 7);
-  mark_near_surface(test::measured(KF3{2.1 * l0}, b.list, b.s), b.s.surface, near);
+  mark_near_surface(test::measured(KF3{2.1 * l0}, b.list, b.s), b.s, near);
   for (std::size_t i = 0; i < b.s.size(); ++i) EXPECT_EQ(near[i], b.s.position[i].norm() < 2.1 * l0);
 }
 

@@ -1,0 +1,7 @@
+#include "solver/processor.hpp"
+
+namespace seiche::solver {
+
+std::string processor() { return SEICHE_PROCESSOR; }
+
+}  // namespace seiche::solver
