@@ -50,9 +50,8 @@ Numbers product(int threads) {
   // As AmgSolver multiplies.
   const int *start = a.outerIndexPtr(), *column = a.innerIndexPtr();
   const double seconds = fastest(50, [&] {
-    solver::each_row(static_cast<int>(a.rows()), [&](int i) {
-      y[i] = solver::row_times(a.valuePtr(), column, start[i], start[i + 1], x.data());
-    });
+    solver::each_row(static_cast<int>(a.rows()),
+                     [&](int i) { y[i] = solver::row_times(a.valuePtr(), column, start[i], start[i + 1], x.data()); });
   });
   const double rows = static_cast<double>(a.rows()), values = static_cast<double>(a.nonZeros());
   const double matrix = values * (sizeof(double) + sizeof(int)) + (rows + 1) * sizeof(int);
