@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "apps/report/html.hpp"
@@ -84,8 +85,9 @@ std::string left_out(const Chart& chart, const Extent& extent) {
   const std::size_t unit = chart.title.rfind(" [");
   std::string name = unit == std::string::npos ? "" : chart.title.substr(unit + 2);
   if (!name.empty()) name.pop_back();
-  return fmt::format("<p class=\"note\">Readings beyond the axis are cut off, to {:.3g} {}.</p>\n", extent.beyond,
-                     escaped(name));
+  const int decimals = std::abs(extent.beyond) < 100 ? 3 : 0;
+  return fmt::format("<p class=\"note\">Readings beyond the axis are cut off; the furthest is {:.{}f} {}.</p>\n",
+                     extent.beyond, decimals, escaped(name));
 }
 
 }  // namespace

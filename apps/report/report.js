@@ -25,7 +25,7 @@ function setClock(time) {
     slider.value = nearest(time);
     slider.setAttribute('aria-valuetext', `t = ${times[nearest(time)].toFixed(2)} s`);
   }
-  strip.forEach((button, i) => button.toggleAttribute('aria-current', i === nearest(time)));
+  strip.forEach((button, i) => button.setAttribute('aria-current', i === nearest(time)));
 }
 
 function showMovie() {
@@ -77,7 +77,7 @@ function pointAt(time) {
 if (video) {
   video.addEventListener('play', () => { showMovie(); follow(); });
   for (const name of ['play', 'pause']) video.addEventListener(name, () => { play.textContent = video.paused ? 'Play' : 'Pause'; });
-  video.addEventListener('seeked', follow);
+  for (const name of ['pause', 'seeked']) video.addEventListener(name, follow);
   play.addEventListener('click', () => { if (video.paused) video.play(); else video.pause(); });
 } else if (play) {
   play.addEventListener('click', showMovie);

@@ -28,10 +28,11 @@ std::vector<std::string> cells(const Report& report, F text) {
   return result;
 }
 
-// "left 20mm" of "eta_left_20mm".
-std::string place_of(const std::string& sensor) {
+// "Crest, left 20mm" of "Crest" and "eta_left_20mm".
+std::string at_sensor(const std::string& what, const std::string& sensor) {
   const std::string title = render::curve_title(sensor);
-  return title.substr(title.find(", ") + 2);
+  const std::size_t place = title.find(", ");
+  return what + (place == std::string::npos ? "" : escaped(title.substr(place)));
 }
 
 std::string share_cell(const std::optional<Share>& share, double factor, const char* form) {
@@ -47,7 +48,7 @@ std::string outcome_cell(const ReportRun& run) {
   const std::string outcome = outcome_text(run);
   const std::size_t colon = outcome.find(": ");
   if (colon == std::string::npos) return escaped(outcome);
-  return fmt::format("<strong>{}:</strong><small>{}</small>", escaped(outcome.substr(0, colon)),
+  return fmt::format("<strong>{}:</strong> <small class=\"reason\">{}</small>", escaped(outcome.substr(0, colon)),
                      escaped(outcome.substr(colon + 2)));
 }
 
@@ -66,26 +67,29 @@ void add_measures(const Report& report, const std::vector<render::Reference>& re
     return result;
   };
   rows.push_back(
-      {fmt::format("Pressure noise, {}", escaped(place_of(sensors.pressure))), "% of ρgh",
+      {at_sensor("Pressure noise", sensors.pressure), "% of ρgh",
        "Root mean square of what lies above 10 Hz in the pressure, over the weight of the still liquid, ρ g h.",
        column([](const Measures& one) { return share_cell(one.noise, 100, "{:.3g}"); })});
-  const std::string place = escaped(place_of(sensors.elevation));
   for (std::size_t i = 0; i < references.size(); ++i)
     rows.push_back(
-        {fmt::format("Elevation error, {}, against {}", place, escaped(references[i].label)), "–",
+        {fmt::format("{}, against {}", at_sensor("Elevation error", sensors.elevation), escaped(references[i].label)),
+         "–",
          "Root mean square of the difference over that of the reference, over the times that both have: 0 is "
          "perfect, 1 as bad as still liquid.",
          column([&](const Measures& one) { return share_cell(one.errors[i], 1, "{:.3g}"); })});
+  const bool compared = !references.empty();
+  const std::string note =
+      compared
+          ? "The highest point within a quarter of a period of a crest of the first reference."
+          : "The highest point of a wave between a rise above 1 % of the depth and a fall as far below still level.";
   const double least = least_crest(report.runs.front().run.info);
+  const double reach = crest_reach(report.runs.front().run.scene);
+  const auto leading = compared ? crests_of(references.front().series, least, most_crests) : std::vector<Crest>();
   for (std::size_t number = 0; number < most_crests; ++number) {
-    Row row{
-        fmt::format("Crest {}, {}", number + 1, place), "mm",
-        fmt::format("The highest point of a wave between a rise above 1 % of the depth, {:.3g} mm, and a fall as far "
-                    "below still level.",
-                    1000 * least),
-        column([&](const Measures& one) { return crest_cell(one.crests, number); })};
+    Row row{at_sensor(fmt::format("Crest {}", number + 1), sensors.elevation), "mm", note,
+            column([&](const Measures& one) { return crest_cell(one.crests, number); })};
     for (const render::Reference& reference : references)
-      row.cells.push_back(crest_cell(crests_of(reference.series, least, most_crests), number));
+      row.cells.push_back(crest_cell(crests_near(reference.series, leading, reach), number));
     rows.push_back(std::move(row));
   }
   rows.push_back(
@@ -135,12 +139,15 @@ std::string note_mark(const std::string& note, std::vector<std::string>& notes) 
   return fmt::format("<sup><a href=\"#note-{0}\">{0}</a></sup>", static_cast<char>('a' + number));
 }
 
-std::string body_row(const Row& row, std::size_t columns, std::vector<std::string>& notes) {
+// An empty cell of a run says that it isn't known.
+std::string body_row(const Row& row, std::size_t runs, std::size_t references, std::vector<std::string>& notes) {
   std::string html =
       fmt::format("<tr><th scope=\"row\">{}{}{}</th>", row.name,
                   row.unit.empty() ? "" : fmt::format(" <span>[{}]</span>", row.unit), note_mark(row.note, notes));
-  for (std::size_t i = 0; i < columns; ++i)
-    html += fmt::format("<td>{}</td>", i < row.cells.size() && !row.cells[i].empty() ? row.cells[i] : "–");
+  for (std::size_t i = 0; i < runs + references; ++i) {
+    const std::string cell = i < row.cells.size() ? row.cells[i] : "";
+    html += fmt::format("<td>{}</td>", cell.empty() && i < runs ? "–" : cell);
+  }
   return html + "</tr>\n";
 }
 
@@ -154,11 +161,11 @@ std::string table_html(const Report& report) {
   add_costs(report, rows);
 
   std::vector<std::string> notes;
-  std::string html =
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table of measures\">\n<table>\n";
+  std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table of measures\">\n";
+  html += fmt::format("<table style=\"--columns:{}\">\n", report.runs.size() + references.size());
   html += head(report, references) + "<tbody>\n";
   for (const Row& row : rows)
-    if (is_known(row)) html += body_row(row, report.runs.size() + references.size(), notes);
+    if (is_known(row)) html += body_row(row, report.runs.size(), references.size(), notes);
   html += "</tbody>\n</table>\n</div>\n<ol class=\"notes\">\n";
   for (std::size_t i = 0; i < notes.size(); ++i)
     html += fmt::format("<li id=\"note-{}\">{}</li>\n", static_cast<char>('a' + i), escaped(notes[i]));

@@ -17,7 +17,7 @@ std::string motion_text(const Parameters::Motion& motion) {
   if (type == "file") return fmt::format("that moves as {} says", motion.file);
   if (type == "harmonics") return fmt::format("that moves in {} harmonics", motion.harmonics.size());
   const std::string amplitude = type == "roll" ? fmt::format("{:g}°", motion.amplitude) : length_text(motion.amplitude);
-  return fmt::format("that {}s by {} at {:g} Hz", type, amplitude, motion.frequency);
+  return fmt::format("that {}s by {} at {:g}\u00a0Hz", type, amplitude, motion.frequency);
 }
 
 // The run's own sentence begins with the time and the step, which are told elsewhere.
@@ -29,7 +29,7 @@ std::string cause(const std::string& reason) {
 }  // namespace
 
 std::string length_text(double metres) {
-  return metres < 0.1 ? fmt::format("{:g} mm", 1000 * metres) : fmt::format("{:g} m", metres);
+  return metres < 0.1 ? fmt::format("{:g}\u00a0mm", 1000 * metres) : fmt::format("{:g}\u00a0m", metres);
 }
 
 std::string tank_sentence(const Scene& scene) {

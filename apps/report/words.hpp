@@ -6,7 +6,7 @@
 
 namespace seiche::apps::report {
 
-/// As in "5 mm", "0.6 m".
+/// As in "5 mm", "0.6 m", their space one that doesn't break.
 std::string length_text(double metres);
 
 /// The liquid, its tank and how it moves, in one sentence.
