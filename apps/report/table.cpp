@@ -44,11 +44,14 @@ std::string share_cell(const std::optional<Share>& share, double factor, const c
 // With a true minus sign, which is as long as the plus.
 std::string signed_text(double value) { return fmt::format("{}{:.2g}", value < 0 ? "\u2212" : "+", std::abs(value)); }
 
+// Its time doesn't part from its unit where the cell is narrow.
 std::string outcome_cell(const ReportRun& run) {
   const std::string outcome = outcome_text(run);
   const std::size_t colon = outcome.find(": ");
-  if (colon == std::string::npos) return escaped(outcome);
-  return fmt::format("<strong>{}:</strong> <small class=\"reason\">{}</small>", escaped(outcome.substr(0, colon)),
+  std::string what = outcome.substr(0, colon);
+  what.replace(what.rfind(' '), 1, "\u00a0");
+  if (colon == std::string::npos) return escaped(what);
+  return fmt::format("<strong>{}:</strong> <small class=\"reason\">{}</small>", escaped(what),
                      escaped(outcome.substr(colon + 2)));
 }
 
@@ -162,7 +165,7 @@ std::string table_html(const Report& report) {
 
   std::vector<std::string> notes;
   std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table of measures\">\n";
-  html += fmt::format("<table style=\"--columns:{}\">\n", report.runs.size() + references.size());
+  html += "<table>\n";
   html += head(report, references) + "<tbody>\n";
   for (const Row& row : rows)
     if (is_known(row)) html += body_row(row, report.runs.size(), references.size(), notes);

@@ -49,7 +49,7 @@ TEST(ReportPage, SaysHowEachRunEnded) {
   EXPECT_EQ(report::outcome_text(interrupted), "interrupted at 0.5 s");
   EXPECT_EQ(report::outcome_text(going), "still going at 0.7 s");
   const std::string html = page_of({"tank", {test::report_run("a", 2), stopped}, {}, {}});
-  EXPECT_TRUE(has(html, "<td>survived 2 s</td><td><strong>stopped at 0.229 s:</strong>"));
+  EXPECT_TRUE(has(html, "<td>survived 2\u00a0s</td><td><strong>stopped at 0.229\u00a0s:</strong>"));
 }
 
 TEST(ReportPage, TellsTheTankInWords) {
