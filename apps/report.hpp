@@ -28,7 +28,7 @@ struct Report {
   std::vector<Still> stills;    ///< of all of them, in order
 };
 
-/// Of numbered pictures (000123.png at 123 frame intervals, the last not after `end`) some `most` at most, evenly
+/// Of numbered pictures (000123.png at 123 frame intervals, the last not after `end`) no more than `most`, evenly
 /// spaced, the first and the last among them.
 std::vector<Still> even_stills(const std::vector<std::filesystem::path>& pictures, double frame_interval, double end,
                                std::size_t most = 13);

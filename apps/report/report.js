@@ -77,7 +77,9 @@ function pointAt(time) {
 if (video) {
   video.addEventListener('play', () => { showMovie(); follow(); });
   for (const name of ['play', 'pause']) video.addEventListener(name, () => { play.textContent = video.paused ? 'Play' : 'Pause'; });
-  for (const name of ['pause', 'seeked']) video.addEventListener(name, follow);
+  video.addEventListener('seeked', follow);
+  // A player may stop a frame later than it says.
+  video.addEventListener('pause', () => seek(movieTime()));
   play.addEventListener('click', () => { if (video.paused) video.play(); else video.pause(); });
 } else if (play) {
   play.addEventListener('click', showMovie);

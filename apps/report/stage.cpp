@@ -1,11 +1,12 @@
 #include "apps/report/stage.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
+#include <cctype>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "apps/report/curves.hpp"
 #include "apps/report/html.hpp"
@@ -85,6 +86,17 @@ std::string bar_html(std::size_t stills, bool movie) {
   return html + "<output id=\"clock\" for=\"slider\">t = 0.00 s</output>\n</div>\n";
 }
 
+// What can be done with it.
+std::string hint(const std::string& movie, bool stills) {
+  std::vector<std::string> ways;
+  if (!movie.empty() && movie != ".gif") ways.push_back("play it");
+  if (stills) ways.push_back("slide through the stills");
+  ways.push_back("point at a time in the curves");
+  std::string sentence = fmt::format("{}: all keep one clock.", fmt::join(ways, " or "));
+  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  return sentence + (movie == ".gif" ? " The movie, a GIF, goes on by itself." : "");
+}
+
 }  // namespace
 
 std::string stage_html(const Report& report, const fs::path& folder) {
@@ -97,11 +109,8 @@ std::string stage_html(const Report& report, const fs::path& folder) {
   if (movie) html += movie_html(report.movie, folder);
   if (!report.stills.empty()) html += "<img id=\"still\" alt=\"\" hidden>\n";
   html += "</div>\n" + bar_html(report.stills.size(), movie) + strip_html(report.stills);
-  return fmt::format(
-      "{}<figcaption>{} Play it, slide through the stills, or point at a time in the curves: they keep "
-      "the same clock.{}</figcaption>\n</figure>\n",
-      html, report.runs.size() > 1 ? "All runs side by side." : "The run.",
-      movie ? link_note(report.movie, folder) : "");
+  html += fmt::format("<figcaption>{}", hint(movie ? report.movie.extension().string() : "", report.stills.size() > 1));
+  return html + (movie ? link_note(report.movie, folder) : "") + "</figcaption>\n</figure>\n";
 }
 
 }  // namespace seiche::apps::report
