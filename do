@@ -6,7 +6,7 @@ cd "$(dirname "$0")"
 # The one list of Debian packages: what building and running need, then what only tests, benchmarks or formatting need.
 build_packages="g++ cmake ninja-build libvtk9-dev libosmesa6-dev libglew-dev libeigen3-dev libsuitesparse-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpng-dev fonts-dejavu-core ffmpeg"
-test_packages="libgtest-dev"
+test_packages="libgtest-dev chromium"
 bench_packages="libbenchmark-dev"
 format_packages="clang-format"
 

@@ -47,7 +47,8 @@ std::string places(const Scene& scene, const OutputFolder& folder) {
   if (scene.output.pictures) place("pictures", folder.frames() / "");
   if (scene.output.vtu) place("ParaView", folder.pvd());
   if (scene.output.probes) place("curves", folder.probes());
-  place("report", folder.report());
+  place("record", folder.record());
+  if (scene.output.report) place("report", folder.report());
   return result;
 }
 

@@ -19,6 +19,7 @@ A run of NAME.toml writes, under out/NAME/ or the folder of -o:
   frames/000123.png     pictures
   NAME.pvd, vtu/        all particles, for ParaView
   probes.csv            sensor readings, with units in the header
+  report.html           a page with the movie, curves and measures, for any browser
   run.json              parameters, steps, how the run ended, time by stage and by output, particle-steps a second
 
 Exit codes:

@@ -145,6 +145,7 @@ const std::vector<Option>& options() {
       {"output", "movie", "", AT(output.movie), Choices{"mp4", "webm", "gif", "none"}, "kind of movie"},
       {"output", "vtu", "", AT(output.vtu), {}, "particles for ParaView: vtu/ and the .pvd that lists them"},
       {"output", "probes", "", AT(output.probes), {}, "sensor readings: probes.csv"},
+      {"output", "report", "", AT(output.report), {}, "a page of movie, curves and measures: report.html"},
       {"output", "probe_rate", "Hz", AT(output.probe_rate), Range{0, 1e6, true},
        "sensor readings per simulated second"},
       {"output", "frame_rate", "Hz", AT(output.frame_rate), Range{0, 1e4, true}, "frames per simulated second"},

@@ -63,6 +63,7 @@ void OutputFolder::prepare() const {
     remove_series(path / "vtu", scene + "_", ".vtu");
     for (const char* ending : {".mp4", ".webm", ".gif", ".pvd", ".vtu.series"}) remove_file(path / (scene + ending));
     remove_file(probes());
+    remove_file(record());
     remove_file(report());
     remove_file(samples());
   } catch (const fs::filesystem_error& error) {

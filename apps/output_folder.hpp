@@ -19,7 +19,8 @@ struct OutputFolder {
   std::filesystem::path movie(const std::string& kind) const { return path / (scene + "." + kind); }
   std::filesystem::path pvd() const { return path / (scene + ".pvd"); }
   std::filesystem::path probes() const { return path / "probes.csv"; }
-  std::filesystem::path report() const { return path / "run.json"; }
+  std::filesystem::path record() const { return path / "run.json"; }
+  std::filesystem::path report() const { return path / "report.html"; }
   std::filesystem::path samples() const { return path / "samples.json"; }
 
   /// Throws BadFolder where a file stands in the way, or files do and may not be overwritten. Writes nothing.

@@ -6,12 +6,14 @@
 #include "apps/closing.hpp"
 #include "apps/exit_codes.hpp"
 #include "apps/loop.hpp"
+#include "apps/report.hpp"
 #include "apps/run_info.hpp"
 #include "apps/run_json.hpp"
 #include "apps/scene_file.hpp"
 #include "apps/scene_text.hpp"
 #include "apps/signals.hpp"
 #include "apps/stopwatch.hpp"
+#include "apps/stored_run.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -35,13 +37,14 @@ int simulate(const Scene& scene, const OutputFolder& folder, Simulation& simulat
   Progress progress(Progress::suitable(quiet));
   Outputs outputs = make_outputs(scene, folder);
   write_samples(folder.samples(), scene);
-  write_run_json(folder.report(), scene, {{}, simulation.statistics(), {}});
+  write_run_json(folder.record(), scene, {{}, simulation.statistics(), {}});
 
   const Ending ending = run_loop(simulation, outputs, run_info(scene), progress, [&] { return signals.caught(); });
 
   const Statistics& totals = simulation.statistics();
   const RunRecord record{ending, totals, {totals.seconds, outputs.seconds(), ending.waited, watch.seconds()}};
-  write_run_json(folder.report(), scene, record);
+  write_run_json(folder.record(), scene, record);
+  if (scene.output.report) write_report(folder.report(), report_of(read_run(folder.path)));
   print_closing(scene, folder, record, quiet);
   return exit_code(ending.status);
 }

@@ -12,6 +12,7 @@ struct Output {
   std::string movie = "mp4";  ///< mp4 | webm | gif | none
   bool vtu = true;
   bool probes = true;
+  bool report = true;        ///< report.html
   double probe_rate = 1000;  ///< [Hz]
   double frame_rate = 50;    ///< pictures, movie frames and VTU files per simulated second [Hz]
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/cli/program.hpp"
 #include "tests/unit/apps/files.hpp"
@@ -26,12 +27,13 @@ long files_in(const fs::path& folder) {
   return fs::exists(folder) ? std::distance(fs::directory_iterator(folder), fs::directory_iterator()) : 0;
 }
 
-// Every file under a folder with its bytes; run.json without its timings.
+// Every file under a folder with its bytes; run.json and report.html without their timings.
 std::map<std::string, std::string> everything_in(const fs::path& folder) {
   std::map<std::string, std::string> all;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
     std::string& text = all[fs::relative(entry.path(), folder)] = read_file(entry.path());
+    if (entry.path().filename() == "report.html") text = std::regex_replace(text, std::regex("Wall time.*"), "");
     if (entry.path().filename() != "run.json") continue;
     nlohmann::json json = nlohmann::json::parse(text);
     json.erase("seconds");
@@ -47,7 +49,8 @@ TEST(Run, TheQuickSceneWritesEverything) {
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(result.err, "");
   for (const char* line : {"  movie     out/quick/quick.mp4\n", "  pictures  out/quick/frames/\n",
-                           "  ParaView  out/quick/quick.pvd\n", "  curves    out/quick/probes.csv\n"}) {
+                           "  ParaView  out/quick/quick.pvd\n", "  curves    out/quick/probes.csv\n",
+                           "  record    out/quick/run.json\n", "  report    out/quick/report.html\n"}) {
     EXPECT_NE(result.out.find(line), std::string::npos) << result.out;
   }
   const fs::path out = scratch / "out/quick";
@@ -64,6 +67,8 @@ TEST(Run, TheQuickSceneWritesEverything) {
             "t [s],p_left_bottom [Pa],eta_left [m],eta_right [m],force_x [N/m],force_y [N/m],moment [N m/m],"
             "kinetic_energy [J/m],potential_energy [J/m],volume [m^2],x_mass [m],y_mass [m],surge [m]");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1002) << "a header, then 0 to 1 s at 1 kHz";
+
+  EXPECT_NE(read_file(out / "report.html").find("survived 1 s"), std::string::npos);
 
   const nlohmann::json report = nlohmann::json::parse(read_file(out / "run.json"));
   EXPECT_EQ(report["run"], (nlohmann::json{{"status", "finished"}, {"time_s", 1.0}, {"frames", 26}}));
@@ -90,9 +95,9 @@ TEST(Run, TwiceTheSameSceneGivesTheSameBytes) {
 
 TEST(Run, EachOutputCanBeSwitchedOff) {
   const Scratch scratch;
-  const Result result =
-      seiche(scratch.folder(), short_run({"--set", "output.pictures=false", "--set", "output.movie=none", "--set",
-                                          "output.vtu=false", "--set", "output.probes=false"}));
+  const Result result = seiche(scratch.folder(), short_run({"--set", "output.pictures=false", "--set",
+                                                            "output.movie=none", "--set", "output.vtu=false", "--set",
+                                                            "output.probes=false", "--set", "output.report=false"}));
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(files_in(scratch / "out/quick"), 1);
   EXPECT_TRUE(fs::exists(scratch / "out/quick/run.json"));
@@ -132,6 +137,7 @@ TEST(Run, AFailingRunSaysWhyAndKeepsItsFrames) {
   EXPECT_EQ(report["run"]["status"], "failed");
   const std::string reason = report["run"]["reason"];
   EXPECT_NE(result.err.find(reason), std::string::npos);
+  EXPECT_NE(read_file(out / "report.html").find("stopped at "), std::string::npos);
   const long frames = report["run"]["frames"];
   EXPECT_GE(frames, 2);
   EXPECT_EQ(files_in(out / "frames"), frames);

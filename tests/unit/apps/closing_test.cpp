@@ -23,7 +23,8 @@ RunRecord record_of(Ending ending) {
 TEST(Closing, SaysWhereEverythingThatWasWrittenIs) {
   const Scratch scratch;
   const OutputFolder folder{scratch.folder(), "x"};
-  for (const char* name : {"x.mp4", "frames/000000.png", "x.pvd", "run.json"}) write_text(scratch / name, "");
+  for (const char* name : {"x.mp4", "frames/000000.png", "x.pvd", "run.json", "report.html"})
+    write_text(scratch / name, "");
   const std::string path = scratch.folder();
   RunRecord record = record_of({Ending::Status::finished, "", 11, 1});
   record.times = {{{"solve", 0.6}, {"search", 0.35}, {"shift", 0.05}}, {{"vtu", 1.26}, {"pictures", 25.4}}, 0.65, 65};
@@ -32,8 +33,8 @@ TEST(Closing, SaysWhereEverythingThatWasWrittenIs) {
             "  speed     480,000 particle-steps a second: solve 60 %, search 35 %, other 5 %\n"
             "  outputs   pictures 25 s, vtu 1.3 s, beside the steps; held the run up for 0.7 s (1 %)\n"
             "  movie     " +
-                path + "/x.mp4\n  pictures  " + path + "/frames/\n  ParaView  " + path + "/x.pvd\n  report    " + path +
-                "/run.json\n");
+                path + "/x.mp4\n  pictures  " + path + "/frames/\n  ParaView  " + path + "/x.pvd\n  record    " + path +
+                "/run.json\n  report    " + path + "/report.html\n");
 }
 
 TEST(Closing, SaysWhyARunFailed) {

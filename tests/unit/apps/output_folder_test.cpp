@@ -38,7 +38,7 @@ TEST(OutputFolder, RefusesAFile) {
 TEST(OutputFolder, OverwritingTakesOutARunAndNothingElse) {
   const Scratch scratch;
   for (const char* ours : {"frames/000000.png", "frames/.part-000001.png", "vtu/x_000000.vtu", "x.mp4", ".part-x.mp4",
-                           "x.gif", "x.webm", "x.pvd", "x.vtu.series", "probes.csv", "run.json"}) {
+                           "x.gif", "x.webm", "x.pvd", "x.vtu.series", "probes.csv", "run.json", "report.html"}) {
     write_text(scratch / ours, "ours");
   }
   const std::vector<std::string> theirs{"notes.txt",        "y.mp4",          "frames/best.png",

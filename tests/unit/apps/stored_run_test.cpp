@@ -54,7 +54,7 @@ file = "theory.csv"
     const OutputFolder folder{scratch / "out", scene.name};
     std::filesystem::create_directories(folder.path);
     write_samples(folder.samples(), scene);
-    write_run_json(folder.report(), scene, record);
+    write_run_json(folder.record(), scene, record);
     return read_run(folder.path);
   }
 };

@@ -1,0 +1,51 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "apps/report.hpp"
+
+namespace seiche::apps::report {
+
+/// One curve of a chart: a run's readings, or what they are compared with.
+struct Trace {
+  std::string label;
+  std::size_t number = 0;  ///< of the run, or of the reference
+  bool of_all = false;     ///< what every run has, as the tank's motion
+  bool reference = false;
+  bool failed = false;  ///< the run stopped where the trace ends
+  render::Series series;
+};
+
+/// One sensor of all runs over one another.
+struct Chart {
+  std::string sensor;  ///< without its unit
+  std::string title;   ///< as in "Elevation, left [m]"
+  double end = 0;      ///< of the time axis [s]
+  std::vector<Trace> traces;
+};
+
+/// The sensors that the run's pictures have under them, without units; where its look wants none there, the usual ones.
+std::vector<std::string> charted(const StoredRun& run);
+
+/// Time that a run came to [s].
+double reached(const ReportRun& run);
+
+/// The latest of all runs [s].
+double reached(const Report& report);
+
+/// The references that a sensor has in the first run's scene.
+std::vector<render::Reference> references_of(const Report& report, const std::string& sensor);
+
+std::vector<Chart> charts_of(const Report& report);
+
+/// What a chart's axis shows, between round numbers: all traces, but for what lies further beyond the usual range than
+/// a quarter of it. That range is the references' and the runs' without their one reading in 500 that is furthest off;
+/// a run that failed has no say in it unless all did. A spike of noise, or a tank that bursts, mustn't flatten all
+/// else.
+struct Extent {
+  render::Range range;
+  double beyond = 0;  ///< the reading furthest from the range that is left out; 0 if none is
+};
+Extent extent_of(const Chart& chart);
+
+}  // namespace seiche::apps::report

@@ -1,0 +1,130 @@
+#include "apps/report/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "apps/report/curves.hpp"
+#include "apps/validate/filter.hpp"
+#include "apps/validate/measures.hpp"
+#include "render/curve_choice.hpp"
+
+namespace seiche::apps::report {
+namespace {
+
+constexpr double cut = 10;  // [Hz]; sloshing is slower, what a scheme adds from step to step is faster
+
+// Without its gaps.
+validate::Series finite(const render::Series& series) {
+  validate::Series result;
+  for (std::size_t i = 0; i < series.time.size(); ++i) {
+    if (!std::isfinite(series.value[i])) continue;
+    result.t.push_back(series.time[i]);
+    result.y.push_back(series.value[i]);
+  }
+  return result;
+}
+
+// 0.5 to 3 s, before which a start rings and after which waves may break; all of a run that ends within a second.
+std::optional<Share> noise_of(const render::Series& pressure, const RunInfo& run) {
+  const double weight = run.density * std::abs(run.gravity) * run.depth;
+  if (pressure.time.empty() || weight == 0) return {};
+  const double end = pressure.time.back();
+  Share noise{0, end < 1 ? pressure.time.front() : 0.5, std::min(end, 3.0)};
+  try {
+    noise.value = validate::noise(finite(pressure), noise.from, noise.to, cut) / weight;
+  } catch (const std::runtime_error&) {
+    return {};  // too few readings, or too seldom
+  }
+  return noise;
+}
+
+std::optional<Share> error_of(const render::Series& elevation, const render::Series& reference, double period) {
+  const validate::Series ours = finite(elevation), theirs = finite(reference);
+  if (ours.t.empty() || theirs.t.empty()) return {};
+  Share error{0, std::max(ours.t.front(), theirs.t.front()), std::min(ours.t.back(), theirs.t.back())};
+  try {
+    const auto difference = validate::compare(theirs, ours, {.from = error.from, .to = error.to, .period = period});
+    if (difference.ref_rms == 0) return {};
+    error.value = difference.relative_l2();
+  } catch (const std::runtime_error&) {
+    return {};  // next to no time in common
+  }
+  return error;
+}
+
+std::optional<double> drift_of(const render::Series& volume) {
+  const std::size_t count = volume.value.size(), part = count / 10;
+  if (part == 0) return {};
+  const auto mean = [&](auto first) { return std::accumulate(first, first + part, 0.0) / static_cast<double>(part); };
+  const double before = mean(volume.value.begin());
+  if (before == 0) return {};
+  return mean(volume.value.end() - part) / before - 1;
+}
+
+std::string first_of(const std::vector<std::string>& names, const char* prefix) {
+  const auto found =
+      std::find_if(names.begin(), names.end(), [&](const std::string& name) { return name.starts_with(prefix); });
+  return found == names.end() ? "" : *found;
+}
+
+}  // namespace
+
+Measured measured_sensors(const StoredRun& run) {
+  std::vector<std::string> names = charted(run);
+  for (const std::string& column : run.info.sensors) names.push_back(render::bare_name(column));
+  return {first_of(names, "p_"), first_of(names, "eta_")};
+}
+
+Measures measures_of(const ReportRun& one, const Measured& sensors, const std::vector<render::Reference>& references) {
+  const RunInfo& info = one.run.info;
+  const double reach = crest_reach(one.run.scene);
+  const render::Series elevation = column_of(one.readings, info, sensors.elevation);
+  Measures measures;
+  measures.noise = noise_of(column_of(one.readings, info, sensors.pressure), info);
+  for (const render::Reference& reference : references)
+    measures.errors.push_back(error_of(elevation, reference.series, 4 * reach));
+  const render::Series& leading = references.empty() ? elevation : references.front().series;
+  measures.crests = crests_of(leading, least_crest(info), most_crests);
+  if (!references.empty()) measures.crests = crests_near(elevation, measures.crests, reach);
+  measures.drift = drift_of(column_of(one.readings, info, "volume"));
+  return measures;
+}
+
+std::vector<Crest> crests_of(const render::Series& elevation, double least, std::size_t most) {
+  std::vector<Crest> crests;
+  std::optional<Crest> now;
+  for (std::size_t i = 0; i < elevation.time.size() && crests.size() < most; ++i) {
+    const double height = elevation.value[i];
+    if (height > least && (!now || height > now->height)) now = Crest{elevation.time[i], height};
+    if (height < -least && now) {
+      crests.push_back(*now);
+      now.reset();
+    }
+  }
+  return crests;
+}
+
+std::vector<Crest> crests_near(const render::Series& elevation, const std::vector<Crest>& crests, double reach) {
+  std::vector<Crest> found;
+  for (const Crest& crest : crests) {
+    if (elevation.time.empty() || elevation.time.back() < crest.time + reach) break;
+    std::optional<Crest> highest;
+    for (std::size_t i = 0; i < elevation.time.size(); ++i) {
+      const double time = elevation.time[i], height = elevation.value[i];
+      if (std::abs(time - crest.time) <= reach && (!highest || height > highest->height)) highest = Crest{time, height};
+    }
+    if (!highest) break;
+    found.push_back(*highest);
+  }
+  return found;
+}
+
+double crest_reach(const Scene& scene) {
+  const double frequency = scene.parameters.motion.frequency;
+  return frequency > 0 ? 0.25 / frequency : 0.25;
+}
+
+double least_crest(const RunInfo& run) { return 0.01 * run.depth; }
+
+}  // namespace seiche::apps::report

@@ -1,0 +1,12 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "apps/report.hpp"
+
+namespace seiche::apps::report {
+
+/// The whole page, HTML. @param folder that it will stand in
+std::string page(const Report& report, const std::filesystem::path& folder);
+
+}  // namespace seiche::apps::report

@@ -1,0 +1,116 @@
+#include "apps/report/stage.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "apps/report/curves.hpp"
+#include "apps/report/html.hpp"
+#include "render/small_png.hpp"
+
+namespace fs = std::filesystem;
+
+namespace seiche::apps::report {
+namespace {
+
+constexpr std::uintmax_t largest_movie = 40'000'000;  // that is embedded [bytes]
+constexpr std::size_t room_for_stills = 3'600'000;    // of all of them; base64 makes a third more [bytes]
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Size {
+  unsigned width, height;
+};
+
+// Of pictures and movie, by the header of the first picture, else by the scene.
+Size size_of(const Report& report) {
+  const render::Look& look = report.runs.front().run.scene.look;
+  Size size{static_cast<unsigned>(look.width), static_cast<unsigned>(look.height)};
+  if (report.stills.empty()) return size;
+  constexpr std::size_t place = 16;  // of width and height in a PNG, four bytes each
+  const std::string head = bytes_of(report.stills.front().file).substr(0, place + 8);
+  if (head.size() < place + 8) return size;
+  size = {};
+  for (std::size_t i = 0; i < 4; ++i) {
+    size.width = size.width << 8 | static_cast<unsigned char>(head[place + i]);
+    size.height = size.height << 8 | static_cast<unsigned char>(head[place + 4 + i]);
+  }
+  return size;
+}
+
+std::string movie_html(const fs::path& movie, const fs::path& folder) {
+  const std::string ending = movie.extension();
+  const bool embedded = fs::file_size(movie) <= largest_movie;
+  const std::string type = ending == ".gif" ? "image/gif" : "video/" + ending.substr(1);
+  const std::string source = embedded ? data_url(type, bytes_of(movie)) : url_of(fs::proximate(movie, folder));
+  if (ending == ".gif") return fmt::format("<img class=\"movie\" alt=\"The movie of the run\" src=\"{}\">\n", source);
+  return fmt::format(
+      "<video class=\"movie\" controls loop muted playsinline preload=\"auto\" aria-label=\"The movie of the run\" "
+      "src=\"{}\"></video>\n",
+      source);
+}
+
+std::string link_note(const fs::path& movie, const fs::path& folder) {
+  const auto size = fs::file_size(movie);
+  if (size <= largest_movie) return "";
+  const fs::path path = fs::proximate(movie, folder);
+  return fmt::format(" The movie, {:.0f} MB, isn’t in this page: keep <a href=\"{}\">{}</a> where it is beside it.",
+                     static_cast<double>(size) / 1e6, url_of(path), escaped(path.generic_string()));
+}
+
+std::string strip_html(const std::vector<Still>& stills) {
+  std::string html = "<ol class=\"strip\">\n";
+  for (std::size_t i = 0; i < stills.size(); ++i)
+    html += fmt::format(
+        "<li><button type=\"button\" data-time=\"{0:.6g}\" aria-label=\"Show t = {1:.2f} s\">"
+        "<img alt=\"The tank at t = {1:.2f} s\" src=\"{2}\"></button><span>{1:.2f} s</span></li>\n",
+        stills[i].time, stills[i].time,
+        data_url("image/png", render::small_png(stills[i].file, room_for_stills / stills.size())));
+  return html + "</ol>\n";
+}
+
+std::string bar_html(std::size_t stills, bool movie) {
+  std::string html = "<div class=\"bar\">\n";
+  if (movie) html += "<button type=\"button\" id=\"play\">Play</button>\n";
+  if (stills > 1)
+    html += fmt::format(
+        "<input type=\"range\" id=\"slider\" min=\"0\" max=\"{}\" step=\"1\" value=\"0\" aria-label=\"Still\">\n",
+        stills - 1);
+  return html + "<output id=\"clock\" for=\"slider\">t = 0.00 s</output>\n</div>\n";
+}
+
+// What can be done with it.
+std::string hint(const std::string& movie, bool stills) {
+  std::vector<std::string> ways;
+  if (!movie.empty() && movie != ".gif") ways.push_back("play it");
+  if (stills) ways.push_back("slide through the stills");
+  ways.push_back("point at a time in the curves");
+  std::string sentence = fmt::format("{}: all keep one clock.", fmt::join(ways, " or "));
+  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  return sentence + (movie == ".gif" ? " The movie, a GIF, goes on by itself." : "");
+}
+
+}  // namespace
+
+std::string stage_html(const Report& report, const fs::path& folder) {
+  const bool movie = fs::is_regular_file(report.movie);
+  if (!movie && report.stills.empty()) return "";
+  const bool dark = report.runs.front().run.scene.look.background == "black";
+  const Size size = size_of(report);
+  std::string html = fmt::format("<figure class=\"stage{}\" style=\"--wide:{};--high:{}\">\n<div class=\"screen\">\n",
+                                 dark ? " black" : "", size.width, size.height);
+  if (movie) html += movie_html(report.movie, folder);
+  if (!report.stills.empty()) html += "<img id=\"still\" alt=\"\" hidden>\n";
+  html += "</div>\n" + bar_html(report.stills.size(), movie) + strip_html(report.stills);
+  html += fmt::format("<figcaption>{}", hint(movie ? report.movie.extension().string() : "", report.stills.size() > 1));
+  return html + (movie ? link_note(report.movie, folder) : "") + "</figcaption>\n</figure>\n";
+}
+
+}  // namespace seiche::apps::report

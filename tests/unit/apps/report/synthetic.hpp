@@ -1,0 +1,65 @@
+#pragma once
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+
+#include "apps/report.hpp"
+#include "apps/run_info.hpp"
+
+namespace seiche::test {
+
+/// What a run's sensors read: elevation at the left wall, and pressure in the left corner less its rest.
+struct Signals {
+  std::function<double(double time)> elevation = [](double t) { return 0.01 * std::sin(2 * std::numbers::pi * t); };
+  std::function<double(double time)> pressure = [](double) { return 0.0; };
+};
+
+/// A run of a tank that surges at 1 Hz, 0.2 m deep, with readings at 1 kHz until `end`.
+inline apps::ReportRun report_run(const std::string& label, double end, const Signals& signals = {}) {
+  apps::ReportRun one;
+  one.label = label;
+  apps::Scene& scene = one.run.scene;
+  scene.name = "tank";
+  scene.file = "tank.toml";
+  scene.parameters.motion.type = "surge";
+  scene.parameters.motion.frequency = 1;
+  scene.parameters.motion.amplitude = 0.005;
+  scene.parameters.time.end = end;
+  one.run.info = apps::run_info(scene);
+  one.run.record.ending = apps::Ending{apps::Ending::Status::finished, "", 2, end};
+  const std::size_t columns = one.run.info.sensors.size();
+  for (long k = 0; k <= std::lround(1000 * end); ++k) {
+    const double t = 0.001 * static_cast<double>(k);
+    one.readings.time.push_back(t);
+    for (std::size_t i = 0; i < columns; ++i) {
+      const std::string& name = one.run.info.sensors[i];
+      double value = 0.12;
+      if (name.starts_with("eta_")) value = signals.elevation(t);
+      if (name.starts_with("p_")) value = 1962 + signals.pressure(t);
+      if (name.starts_with("surge")) value = 0.005 * std::sin(2 * std::numbers::pi * t);
+      one.readings.values.push_back(value);
+    }
+  }
+  return one;
+}
+
+inline apps::ReportRun failed_run(const std::string& label, double end, const std::string& reason) {
+  apps::ReportRun one = report_run(label, end);
+  one.run.record.ending = apps::Ending{apps::Ending::Status::failed, reason, 2, end};
+  return one;
+}
+
+/// Gives the left elevation something to be compared with.
+inline void add_reference(apps::ReportRun& run, const std::string& label, const std::function<double(double)>& value,
+                          double end) {
+  render::Reference reference{
+      .of = "eta_left", .label = label, .file = "theory.csv", .column = "eta_left", .series = {}};
+  for (double t = 0; t <= end; t += 0.01) {
+    reference.series.time.push_back(t);
+    reference.series.value.push_back(value(t));
+  }
+  run.run.scene.look.references.push_back(reference);
+}
+
+}  // namespace seiche::test
