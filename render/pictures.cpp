@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <exception>
 #include <optional>
 
 #include "render/outputs.hpp"
@@ -29,8 +30,17 @@ class Pictures : public Sink {
   }
 
   void end() override {
-    draw_kept();
-    for (const auto& taker : takers_) taker->end();
+    std::exception_ptr error;
+    const auto attempt = [&](const auto& what) {
+      try {
+        what();
+      } catch (...) {
+        if (!error) error = std::current_exception();
+      }
+    };
+    attempt([&] { draw_kept(); });
+    for (const auto& taker : takers_) attempt([&] { taker->end(); });  // whatever befell the others
+    if (error) std::rethrow_exception(error);
   }
 
  private:
