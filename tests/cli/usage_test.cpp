@@ -15,15 +15,15 @@ TEST(Usage, HelpListsVerbsOutputsAndExitCodes) {
   const Scratch scratch;
   const Result result = seiche(scratch.folder(), {"--help"});
   EXPECT_EQ(result.code, 0);
-  for (const char* text :
-       {"run ", "check ", "info ", "kernels ", "validate ", "probes.csv", "Exit codes:", "Examples:"}) {
+  for (const char* text : {"run ", "render ", "movie ", "check ", "info ", "kernels ", "validate ", "probes.csv",
+                           "Exit codes:", "Examples:"}) {
     EXPECT_NE(result.out.find(text), std::string::npos) << text;
   }
 }
 
 TEST(Usage, EachVerbHasItsOwnHelpWithExamples) {
   const Scratch scratch;
-  for (const std::string verb : {"run", "check", "info", "kernels", "validate"}) {
+  for (const std::string verb : {"run", "render", "movie", "check", "info", "kernels", "validate"}) {
     const Result result = seiche(scratch.folder(), {verb, "--help"});
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.out.find("Examples:\n  seiche " + verb), std::string::npos) << result.out;
