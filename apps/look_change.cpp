@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "apps/curve_sensors.hpp"
@@ -29,6 +30,7 @@ Complaint fixed(const std::string& origin, const std::string& key) {
 }  // namespace
 
 void change_look(Scene& scene, const std::vector<Override>& overrides) {
+  const std::string before = scene.look.quantity;
   const Settings all = override_settings(overrides);
   std::vector<Complaint> complaints = all.complaints;
   for (const Setting& setting : all.good) {
@@ -46,6 +48,10 @@ void change_look(Scene& scene, const std::vector<Override>& overrides) {
           fixed(setting.tables.empty() ? dotted(*setting.list) : setting.tables.front().origin, dotted(*setting.list)));
   }
   refuse(complaints);
+  const bool ranged = std::any_of(all.good.begin(), all.good.end(), [](const Setting& setting) {
+    return setting.option == find_option("look", "range");
+  });
+  if (scene.look.quantity != before && !ranged && render::parse_range(scene.look.range)) scene.look.range = "scene";
   refuse(curve_complaints(all, scene));
   if (!all.lists.empty()) read_references(scene, std::filesystem::path(scene.file).parent_path());
 }

@@ -46,12 +46,12 @@ FrameList::Wait patience(const SignalWatch& signals) {
 }
 
 // The range that holds every frame of the run, as "min,max".
-std::string range_of_run(const StoredRun& run) {
+std::string range_of_run(const StoredRun& run, render::Quantity quantity) {
   std::optional<render::Range> whole;
   ReplayFrames frames(run, {run, stored_frames, {}});
   Ahead<FramePtr> ahead([&](const std::stop_token& stop) { return frames.next(stop); }, frames_ahead);
   while (const FramePtr frame = ahead.next()) {
-    const render::Range range = render::fluid_range(*frame);
+    const render::Range range = render::fluid_range(*frame, quantity);
     if (!whole) whole = range;
     whole = render::Range{std::min(whole->low, range.low), std::max(whole->high, range.high)};
   }
@@ -115,8 +115,9 @@ Replayed draw_again(const ReplayRequest& request, const Replay& replay, FrameLis
                     std::vector<std::unique_ptr<render::ImageSink>> takers, const SignalWatch& signals) {
   for (auto& taker : takers) taker = render::on_thread(std::move(taker));
   render::Look look = replay.scene.look;
-  const bool whole = look.range == "run";
-  if (whole) look.range = range_of_run(replay.run);
+  const auto quantity = render::quantity_of(look.quantity);
+  const bool whole = look.range == "run" && render::classes_of(quantity).empty();
+  if (whole) look.range = range_of_run(replay.run, quantity);
   const Span span = span_of(request, list, replay.run.info);
   ReplayFrames frames(replay.run, std::move(list));
   if (whole) frames.hand_out_all_readings();

@@ -13,6 +13,7 @@ void add_common(CLI::App& verb, ReplayRequest& request) {
   const auto look = [&](const char* flag, const char* key, const char* type) {
     add_shorthand(verb, flag, key, request.look, type);
   };
+  look("--quantity", "look.quantity", "NAME");
   look("--colour-map", "look.colour_map", "NAME");
   look("--range", "look.range", "RANGE");
   look("--size", "output.size", "WxH");

@@ -98,7 +98,8 @@ TEST(Usage, EachBadSceneExitsWith2AndNamesTheFault) {
             "--kernel KF9: [method] kernel = 'KF9' is none of its choices; expected one of KF1, KF2, KF3, KF4, KF5\n");
   EXPECT_EQ(
       error_of("", {"--range", "1"}),
-      "--range 1: [look] range = '1' cannot be used; expected scene, frame, run, or min,max as in -100,3000 [Pa]\n");
+      "--range 1: [look] range = '1' cannot be used; expected scene, frame, run, or min,max as in -100,3000, in the "
+      "quantity's unit\n");
   EXPECT_EQ(error_of("", {"--set", "tank.lenght=1"}),
             "--set tank.lenght=1: 'tank.lenght' is no key of a scene; did you mean 'tank.length'?\n");
   EXPECT_EQ(error_of("", {"--set", "look.curves=eta_lft"}),

@@ -29,6 +29,18 @@ TEST(LookChange, ChangesHowARunLooks) {
   EXPECT_EQ(scene.look.curves, "eta_left");
 }
 
+TEST(LookChange, ARangeGoesWithItsQuantity) {
+  const auto range_after = [](const std::vector<Override>& overrides) {
+    Scene scene = parse_scene("look.range = \"0,2500\"\n", "x.toml", {});
+    change_look(scene, overrides);
+    return scene.look.range;
+  };
+  EXPECT_EQ(range_after({}), "0,2500");
+  EXPECT_EQ(range_after({parse_set("look.quantity=pressure")}), "0,2500");
+  EXPECT_EQ(range_after({parse_set("look.quantity=speed")}), "scene");
+  EXPECT_EQ(range_after({parse_set("look.range=0,2"), parse_set("look.quantity=speed")}), "0,2");
+}
+
 TEST(LookChange, RefusesWhatTheRunHasSettled) {
   const Scene scene = parse_scene("", "x.toml", {});
   EXPECT_EQ(refusal(scene, "motion.amplitude=1"),
