@@ -7,7 +7,7 @@
 
 namespace seiche::apps {
 
-/// A flag that is short for a --set.
+/// A flag that is short for --set KEY; `key`: "section.key", of the option table.
 void add_shorthand(CLI::App& verb, const std::string& flag, const std::string& key, std::vector<Override>& overrides,
                    const std::string& type);
 

@@ -45,17 +45,17 @@ FrameList::Wait patience(const SignalWatch& signals) {
   };
 }
 
-// The range that holds every frame of the run, as "min,max".
-std::string range_of_run(const StoredRun& run, render::Quantity quantity) {
+// The range that holds every frame of the run, as "min,max"; Ctrl-C makes it a shorter search, and nothing is drawn.
+std::string range_of_run(const StoredRun& run, render::Quantity quantity, const SignalWatch& signals) {
   std::optional<render::Range> whole;
   ReplayFrames frames(run, {run, stored_frames, {}});
   Ahead<FramePtr> ahead([&](const std::stop_token& stop) { return frames.next(stop); }, frames_ahead);
-  while (const FramePtr frame = ahead.next()) {
+  while (const FramePtr frame = signals.caught() ? nullptr : ahead.next()) {
     const render::Range range = render::fluid_range(*frame, quantity);
     if (!whole) whole = range;
     whole = render::Range{std::min(whole->low, range.low), std::max(whole->high, range.high)};
   }
-  const render::Range rounded = render::rounded(*whole);
+  const render::Range rounded = render::rounded(whole.value_or(render::Range{}));
   return fmt::format("{:.17g},{:.17g}", rounded.low, rounded.high);
 }
 
@@ -117,7 +117,7 @@ Replayed draw_again(const ReplayRequest& request, const Replay& replay, FrameLis
   render::Look look = replay.scene.look;
   const auto quantity = render::quantity_of(look.quantity);
   const bool whole = look.range == "run" && render::classes_of(quantity).empty();
-  if (whole) look.range = range_of_run(replay.run, quantity);
+  if (whole) look.range = range_of_run(replay.run, quantity, signals);
   const Span span = span_of(request, list, replay.run.info);
   ReplayFrames frames(replay.run, std::move(list));
   if (whole) frames.hand_out_all_readings();
