@@ -6,11 +6,13 @@
 
 #include "apps/check.hpp"
 #include "apps/exit_codes.hpp"
+#include "apps/flags.hpp"
 #include "apps/help.hpp"
 #include "apps/info.hpp"
 #include "apps/kernels.hpp"
 #include "apps/nearest.hpp"
 #include "apps/output_folder.hpp"
+#include "apps/replay_verbs.hpp"
 #include "apps/run.hpp"
 #include "apps/run_info.hpp"
 #include "apps/scene_file.hpp"
@@ -19,19 +21,6 @@
 
 namespace seiche::apps {
 namespace {
-
-// A flag that is short for a --set.
-void add_shorthand(CLI::App& verb, const std::string& flag, const std::string& key, std::vector<Override>& overrides,
-                   const std::string& type) {
-  verb.add_option_function<std::string>(
-          flag,
-          [&overrides, flag, key](const std::string& value) {
-            overrides.push_back({flag + " " + value, key, value});
-          },
-          "short for --set " + key + "=...")
-      ->type_name(type)
-      ->take_last();
-}
 
 void add_threads(CLI::App& verb, int& threads) {
   verb.add_option("--threads", threads, "threads to compute with; one per core if left out")
@@ -46,14 +35,7 @@ void add_run(CLI::App& app, RunRequest& request, int& code) {
   verb->add_option("scene", request.scene, "scene file")->required()->type_name("SCENE");
   verb->add_option("-o,--output", request.folder, "folder for everything written; out/<scene name> if left out")
       ->type_name("DIR");
-  verb->add_option_function<std::vector<std::string>>(
-          "--set",
-          [&request](const std::vector<std::string>& all) {
-            for (const std::string& each : all) request.overrides.push_back(parse_set(each));
-          },
-          "set a key of the scene; can be given several times")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  add_set(*verb, request.overrides, "set a key of the scene");
   add_shorthand(*verb, "--kernel", "method.kernel", request.overrides, "NAME");
   add_shorthand(*verb, "--spacing", "particles.spacing", request.overrides, "METRES");
   add_shorthand(*verb, "--end", "time.end", request.overrides, "SECONDS");
@@ -127,6 +109,7 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
 int parse(int argc, char** argv) {
   int code = done;
   RunRequest request;
+  ReplayRequest drawing, encoding;
   validate::Request validation;
   std::string checked, picture;
   CLI::App app(help::program, "seiche");
@@ -136,6 +119,8 @@ int parse(int argc, char** argv) {
   app.set_version_flag("--version", fmt::format("seiche {}", version()));
   app.require_subcommand(1);
   add_run(app, request, code);
+  add_render(app, drawing, code);
+  add_movie(app, encoding, code);
   add_check(app, checked);
   add_info(app);
   add_kernels(app, picture);

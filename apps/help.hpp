@@ -10,6 +10,8 @@ constexpr const char* program =
 constexpr const char* program_footer = R"(Examples:
   seiche run scenes/quick.toml            simulate and draw a small tank in seconds
   seiche run scenes/quick.toml --dry-run  show every key of the scene, with its value, unit and range
+  seiche render out/quick --size 640x360  draw a run that is done again, without solving
+  seiche movie out/quick -o quick.gif     make another movie of it
   seiche check scenes/quick.toml          look for mistakes, and say what would be simulated
   seiche kernels -o kernels.png           draw the kernel functions
   seiche validate --quick                 compare runs with theory and experiment
@@ -37,6 +39,23 @@ constexpr const char* run_footer = R"(Examples:
 The preset comes first, then the file's keys, then each --set in its order, then the other flags.
 The scene, the folder, OpenGL and the encoder are checked before anything is computed or written.
 Ctrl-C ends the run with the current frame and closes the movie; a second Ctrl-C ends it at once.)";
+
+constexpr const char* render_footer = R"(Examples:
+  seiche render out/quick --colour-map cividis --size 1920x1080
+  seiche render out/quick --range run --from 0.5 --movie gif -o out/quick-run
+  seiche render out/quick --latest
+
+Writes 000123.png and so on into OUT/render or the folder of -o, numbered as the run's frames, and the movie beside
+them. What isn't said looks as in the run; its curves come from probes.csv. Without output.vtu a run can't be drawn
+again, but `seiche movie` works. --latest goes on until the run has ended; Ctrl-C ends it with the current frame.)";
+
+constexpr const char* movie_footer = R"(Examples:
+  seiche movie out/quick -o quick.gif
+  seiche movie out/quick --speed 0.25 --from 0.5 --to 0.8 -o slow.mp4
+  seiche movie out/quick --view lab --size 640x360 -o lab.webm
+  seiche movie out/quick --latest
+
+Takes the run's pictures as they are. Where it has none, or is to look otherwise, its VTU files are drawn.)";
 
 constexpr const char* check_footer = R"(Examples:
   seiche check scenes/quick.toml

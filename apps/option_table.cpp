@@ -6,6 +6,7 @@
 
 #include "apps/options.hpp"
 #include "render/curve_choice.hpp"
+#include "render/quantity.hpp"
 #include "solver/kernels.hpp"
 
 namespace seiche::apps {
@@ -18,6 +19,8 @@ Choices kernels() {
   for (const auto& kernel : solver::kernel_table(1.0)) names.push_back(solver::name(kernel));
   return names;
 }
+
+Choices quantities() { return {render::quantity_names().begin(), render::quantity_names().end()}; }
 
 std::string get_size(const Scene& s) { return fmt::format("{}x{}", s.look.width, s.look.height); }
 
@@ -47,7 +50,7 @@ void set_curves(Scene& s, const std::string& text) {
 }
 
 const Written size{get_size, set_size, "width x height from 64x64 to 16384x16384, as in 1280x720"};
-const Written range{get_range, set_range, "scene, frame, run, or min,max as in -100,3000"};
+const Written range{get_range, set_range, "scene, frame, run, or min,max as in -100,3000, in the quantity's unit"};
 const Written curves{get_curves, set_curves, "auto, none, or up to 3 sensors, as in eta_left, p_left_bottom"};
 
 }  // namespace
@@ -151,15 +154,16 @@ const std::vector<Option>& options() {
       {"output", "frame_rate", "Hz", AT(output.frame_rate), Range{0, 1e4, true}, "frames per simulated second"},
       {"output", "size", "pixels", size, {}, "of pictures and movie"},
 
+      {"look", "quantity", "", AT(look.quantity), quantities(), "that particles are coloured by"},
       {"look", "colour_map", "", AT(look.colour_map), Choices{"viridis", "cividis", "cool-warm", "turbo"},
-       "of the pressure"},
+       "of a quantity that is a number"},
       {"look", "background", "", AT(look.background), Choices{"white", "black", "transparent"}, "of the picture"},
       {"look", "style", "", AT(look.style), Choices{"disc", "dot"},
        "particles as edged discs that fill the spacing, or small plain ones"},
       {"look", "view", "", AT(look.view), Choices{"tank", "lab"}, "what stands still in the picture"},
       {"look",
        "range",
-       "Pa",
+       "",
        range,
        {},
        "of the colours: one from the scene, each frame's own, or the whole run's (drawn after it)"},

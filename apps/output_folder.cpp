@@ -41,33 +41,61 @@ void remove_series(const fs::path& folder, const std::string& prefix, const std:
   if (fs::is_empty(folder)) fs::remove(folder);
 }
 
-}  // namespace
+constexpr const char* movies[] = {".mp4", ".webm", ".gif"};
 
-void OutputFolder::check(bool overwrite) const {
+void check_folder(const fs::path& path, bool overwrite, const std::string& what) {
   if (!fs::exists(path)) return;
   if (!fs::is_directory(path)) {
     throw BadFolder(fmt::format("{} is a file, not a folder; choose another with -o DIR", path.string()));
   }
   if (!overwrite && !fs::is_empty(path)) {
     throw BadFolder(
-        fmt::format("{} exists and isn't empty; choose another folder with -o DIR, or replace the run in it "
-                    "with --overwrite",
-                    path.string()));
+        fmt::format("{} exists and isn't empty; choose another folder with -o DIR, or replace {} in it with "
+                    "--overwrite",
+                    path.string(), what));
   }
 }
+
+BadFolder cannot_prepare(const fs::path& path, const fs::filesystem_error& error) {
+  return BadFolder(fmt::format("can't prepare the output folder {}: {}", path.string(), error.code().message()));
+}
+
+// What PictureFolder is made of, and the folder if nothing else is in it.
+void remove_pictures(const PictureFolder& folder) {
+  if (!fs::is_directory(folder.path)) return;
+  for (const char* ending : movies) remove_file(folder.path / (folder.scene + ending));
+  remove_series(folder.path, "", ".png");
+}
+
+}  // namespace
+
+void OutputFolder::check(bool overwrite) const { check_folder(path, overwrite, "the run"); }
 
 void OutputFolder::prepare() const {
   try {
     fs::create_directories(path);
     remove_series(frames(), "", ".png");
     remove_series(path / "vtu", scene + "_", ".vtu");
-    for (const char* ending : {".mp4", ".webm", ".gif", ".pvd", ".vtu.series"}) remove_file(path / (scene + ending));
+    remove_pictures({drawn_again(), scene});
+    for (const char* ending : movies) remove_file(path / (scene + ending));
+    for (const char* ending : {".pvd", ".vtu.series"}) remove_file(path / (scene + ending));
     remove_file(probes());
     remove_file(record());
     remove_file(report());
     remove_file(samples());
   } catch (const fs::filesystem_error& error) {
-    throw BadFolder(fmt::format("can't prepare the output folder {}: {}", path.string(), error.code().message()));
+    throw cannot_prepare(path, error);
+  }
+}
+
+void PictureFolder::check(bool overwrite) const { check_folder(path, overwrite, "the pictures"); }
+
+void PictureFolder::prepare() const {
+  try {
+    remove_pictures(*this);
+    fs::create_directories(path);
+  } catch (const fs::filesystem_error& error) {
+    throw cannot_prepare(path, error);
   }
 }
 

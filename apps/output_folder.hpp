@@ -22,11 +22,24 @@ struct OutputFolder {
   std::filesystem::path record() const { return path / "run.json"; }
   std::filesystem::path report() const { return path / "report.html"; }
   std::filesystem::path samples() const { return path / "samples.json"; }
+  std::filesystem::path drawn_again() const { return path / "render"; }  ///< a PictureFolder, if -o says nothing else
 
   /// Throws BadFolder where a file stands in the way, or files do and may not be overwritten. Writes nothing.
   void check(bool overwrite) const;
 
   /// Makes the folder, and takes out what an earlier run of this scene wrote there; a stranger's files stay.
+  void prepare() const;
+};
+
+/// Where a run that is drawn again goes: 000123.png and a movie.
+struct PictureFolder {
+  std::filesystem::path path;
+  std::string scene;  ///< its name, which the movie bears
+
+  std::filesystem::path movie(const std::string& kind) const { return path / (scene + "." + kind); }
+
+  /// As OutputFolder's.
+  void check(bool overwrite) const;
   void prepare() const;
 };
 

@@ -14,18 +14,18 @@ namespace {
 constexpr double line_share = 0.05;
 constexpr double patience = 1;  // a rest that lasts longer gets a line in a log [s]
 
-double share(const Moment& m) { return m.end > 0 ? m.time / m.end : 1; }
+double share(const Moment& m) { return m.end > m.start ? (m.time - m.start) / (m.end - m.start) : 1; }
 
 std::string remaining(const Moment& m) {
   if (m.stopping) return "ending with this frame (Ctrl-C: at once)";
   if (share(m) < 0.01) return "";  // Too early to tell.
-  return clock_text(m.elapsed * (m.end - m.time) / m.time) + " left";
+  return clock_text(m.elapsed * (1 / share(m) - 1)) + " left";
 }
 
 std::string facts(const Moment& m) {
   const double rate = m.elapsed > 0 ? m.steps / m.elapsed : 0;
-  return fmt::format("{:3.0f} %  {:.2f}/{:g} s  frame {}/{}  {} steps  {:.3g} steps/s  {}", std::floor(100 * share(m)),
-                     m.time, m.end, m.frame, m.frames, m.steps, rate, remaining(m));
+  return fmt::format("{:3.0f} %  {:.2f}/{:g} s  frame {}/{}  {} {}  {:.3g} {}/s  {}", std::floor(100 * share(m)),
+                     m.time, m.end, m.frame, m.frames, m.steps, m.counted, rate, m.counted, remaining(m));
 }
 
 int terminal_columns() {

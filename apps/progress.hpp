@@ -4,13 +4,15 @@
 
 namespace seiche::apps {
 
-/// How far a run has come.
+/// How far a run, or a replay of one, has come.
 struct Moment {
   double time = 0, end = 0;    ///< simulated [s]
   long frame = 0, frames = 0;  ///< number of the one worked on, and of the run's last
   long steps = 0;
-  double elapsed = 0;     ///< wall-clock [s]
-  bool stopping = false;  ///< a signal came; the run ends with the current frame
+  double elapsed = 0;             ///< wall-clock [s]
+  bool stopping = false;          ///< a signal came; the run ends with the current frame
+  double start = 0;               ///< simulated time that it began at [s]
+  const char* counted = "steps";  ///< what `steps` are
 };
 
 /// As in "1:05" or "2:03:04".

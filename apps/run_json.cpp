@@ -105,7 +105,9 @@ void refuse_if(const std::optional<std::string>& complaint) {
 void read_parameters(const nlohmann::json& json, Scene& scene) {
   for (const Option& option : options()) {
     const auto& at = option.section.empty() ? json : json.at(std::string(option.section));
-    refuse_if(assign(option, scene, value_from(at.at(std::string(option.key)))));
+    // An older program may not have known the key: its default is how things were.
+    if (const auto found = at.find(std::string(option.key)); found != at.end())
+      refuse_if(assign(option, scene, value_from(*found)));
   }
   for (const List& list : lists()) {
     const auto& tables = json.at(std::string(list.section)).at(std::string(list.key));

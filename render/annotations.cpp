@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "render/particles.hpp"
+#include "render/quantity.hpp"
 
 namespace seiche::render {
 namespace {
@@ -24,10 +25,18 @@ double middle(const Box& box) { return box.y + box.height / 2; }
 
 }  // namespace
 
+// What the colours tell needs no second word.
+bool Annotations::keyed_wall() const {
+  return look_.show_walls && run_.dimension == 2 && quantity_of(look_.quantity) != Quantity::kind;
+}
+bool Annotations::keyed_surface() const {
+  return look_.show_surface && quantity_of(look_.quantity) != Quantity::free_surface;
+}
+
 void Annotations::claim(Needs& needs, double foreshortened) const {
   if (look_.show_caption) needs.caption = text_width(caption_text(run_));
   if (look_.show_clock) needs.clock = text_width(clock_text(std::max(run_.end, 1.0)));
-  if (look_.show_surface) needs.key += mark + text_width(surface_words);
+  if (keyed_surface()) needs.key += mark + text_width(surface_words);
   if (keyed_wall()) needs.key += (needs.key > 0 ? between : 0) + mark + text_width(wall_words);
   if (look_.show_ruler) {
     needs.ruler = ruler_ * foreshortened;
@@ -64,7 +73,7 @@ void Annotations::place_key(const Layout& layout, Rgb ink) {
     overlay_->text(words, x + mark * font, y, font, Align::left, ink);
     x += (mark + text_width(words) + between) * font;
   };
-  if (look_.show_surface) entry(surface_words, 0.55 * radius, Particles::surface_colour);
+  if (keyed_surface()) entry(surface_words, 0.55 * radius, Particles::surface_colour);
   if (keyed_wall()) entry(wall_words, 0, Particles::wall_colour);
 }
 

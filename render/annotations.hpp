@@ -20,7 +20,8 @@ class Annotations {
   void set_time(double seconds);
 
  private:
-  bool keyed_wall() const { return look_.show_walls && run_.dimension == 2; }
+  bool keyed_wall() const;
+  bool keyed_surface() const;
   void place_ruler(const Layout& layout, double foreshortened, Rgb ink);
   void place_key(const Layout& layout, Rgb ink);
 

@@ -8,6 +8,7 @@
 
 #include "render/colour_map.hpp"
 #include "render/curve_choice.hpp"
+#include "render/quantity.hpp"
 
 namespace seiche::render {
 
@@ -21,6 +22,7 @@ void check_look(const Look& look) {
   if (look.width < 64 || look.height < 64 || look.width > 8192 || look.height > 8192)
     throw std::invalid_argument(
         fmt::format("{} x {} is no size for a picture; give 64 to 8192 pixels each way", look.width, look.height));
+  quantity_of(look.quantity);
   ColourMap{look.colour_map};
   among("background", look.background, {"white", "black", "transparent"});
   among("style", look.style, {"disc", "dot"});

@@ -24,11 +24,12 @@ struct Reference {
 /// How a picture looks. Every member is a scene key of [look] or [output].
 struct Look {
   int width = 1280, height = 720;      ///< [pixels]
+  std::string quantity = "pressure";   ///< that particles are coloured by; quantity.hpp has their names
   std::string colour_map = "viridis";  ///< viridis | cividis | cool-warm | turbo
   std::string background = "white";    ///< white | black | transparent
   std::string style = "disc";          ///< disc: edged discs that fill the spacing | dot: small plain ones
   std::string view = "tank";           ///< tank: the tank stands still | lab: the tank moves
-  std::string range = "scene";         ///< scene | frame | run | "min,max" [Pa]
+  std::string range = "scene";         ///< scene | frame | run | "min,max" in the unit of the quantity
   std::string curves = "auto";         ///< auto | none | sensors without their units, as in "eta_left, p_left_bottom"
   std::vector<Reference> references;   ///< one to a [[look.reference]]
   bool show_walls = true;
@@ -40,7 +41,7 @@ struct Look {
   bool show_ruler = true;
 };
 
-/// A colour range [Pa].
+/// A colour range, in the unit of the quantity.
 struct Range {
   double low = 0, high = 1;
 };

@@ -59,6 +59,10 @@ std::unique_ptr<ImageSink> png_series(const std::filesystem::path& folder);
 /// A movie that is cut short, even by kill -9, still plays.
 std::unique_ptr<ImageSink> movie(const std::filesystem::path& file);
 
+/// The same taker on a thread of its own, so that the next picture is drawn meanwhile; a few may wait for it, in their
+/// order. Of a frame it is told index, step and time alone. What it throws comes out of the next image(), or of end().
+std::unique_ptr<ImageSink> on_thread(std::unique_ptr<ImageSink> taker);
+
 /// Draws each frame once and hands the picture to all takers. With range "run" frames are kept and drawn in end().
 std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers);
 

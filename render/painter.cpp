@@ -63,14 +63,15 @@ struct Painter::Stage {
 Painter::Stage::Stage(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves, const Frame& first)
     : strip(curves) {
   const Palette colours = palette(look.background);
+  const Quantity quantity = quantity_of(look.quantity);
   const View view(run.dimension, room_of(run, look, first));
   words.emplace(run, look, round_below(0.25 * view.width()));
 
   Needs needs{.width = look.width, .height = look.height, .view_width = view.width(), .view_height = view.height()};
   words->claim(needs, view.foreshortening());
   if (look.show_bar) {
-    needs.bar_labels = ScalarBar::label_width(parse_range(look.range).value_or(scene_range(run)));
-    needs.bar_title = text_width(ScalarBar::title);
+    needs.bar_labels = ScalarBar::label_width(quantity, fixed_range(run, look).value_or(scene_range(run, quantity)));
+    needs.bar_title = text_width(title_of(quantity));
   }
   strip.claim(needs);
   const Layout layout = lay_out(needs);
@@ -88,7 +89,7 @@ Painter::Stage::Stage(const RunInfo& run, const Look& look, const std::vector<Se
     for (const auto& part : tank) renderer->AddActor(part);
   }
   particles.emplace(renderer, run, look, layout.scale, std::max(1.2, 0.08 * layout.font));
-  if (look.show_bar) bar.emplace(renderer, layout, ColourMap(look.colour_map), colours.ink);
+  if (look.show_bar) bar.emplace(renderer, layout, quantity, ColourMap(look.colour_map), colours.ink);
   words->place(renderer, layout, view.foreshortening(), colours.ink);
   strip.place(renderer, layout, colours);
 }
@@ -124,7 +125,7 @@ Image Painter::draw(const Frame& frame, Range range) {
     part->SetOrientation(0, 0, vtkMath::DegreesFromRadians(pose.roll));
     part->SetPosition(at.data());
   }
-  if (stage_->bar) stage_->bar->show(range, fluid_range(frame));
+  if (stage_->bar) stage_->bar->show(range, fluid_range(frame, quantity_of(look_.quantity)));
   stage_->words->set_time(frame.time);
   stage_->strip.show(frame.time);
   stage_->window->Render();

@@ -73,6 +73,11 @@ struct Disc {
   bool square = false;
 };
 
+// Not where colours show it.
+bool marks_surface(const Look& look) {
+  return look.show_surface && quantity_of(look.quantity) != Quantity::free_surface;
+}
+
 // Each disc is drawn as a flat cone: where two of one layer overlap they meet half-way, whichever is drawn first.
 vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(const Disc& disc) {
   auto mapper = vtkSmartPointer<vtkPointGaussianMapper>::New();
@@ -96,7 +101,7 @@ vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(const Disc& disc) {
 }  // namespace
 
 Particles::Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke)
-    : map_(look.colour_map) {
+    : quantity_(quantity_of(look.quantity)), map_(look.colour_map) {
   if (run.dimension == 3)
     make_spheres(renderer, run, look, scale, stroke);
   else
@@ -113,7 +118,7 @@ void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Lo
   property->SetDiffuse(0.75);
   property->SetSpecular(0.1);
   property->SetSpecularPower(20);
-  if (look.show_surface) {
+  if (marks_surface(look)) {
     // A small ring on each sphere, towards the camera.
     const double size = std::max(0.5 * radius, stroke / scale);
     surface_ = std::make_unique<Layer>(renderer, disc_mapper({.radius = size, .hole = 0.5, .relief = 0}));
@@ -146,7 +151,7 @@ void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look
     wall_ = discs({.radius = half, .layer = -1, .square = square});
   }
   fluid_ = discs({.radius = radius, .edge = 0.8 / (1 + 0.5 * closed), .shade = shade});
-  if (look.show_surface) {
+  if (marks_surface(look)) {
     const double size = std::max(0.5 * run.spacing, 1.4 * stroke / scale);
     surface_ = discs({.radius = size, .hole = 1 - stroke / (size * scale), .layer = 1});
     // Those marked keep their true size, so that their mark goes round them and no spray looks larger than it is.
@@ -158,11 +163,17 @@ double Particles::layer_height(const RunInfo& run) { return 0.02 * (run.tank[0] 
 
 Particles::~Particles() = default;
 
+Rgb Particles::wall(Kind kind) const {
+  if (quantity_ == Quantity::kind) return classes_of(quantity_)[static_cast<std::size_t>(kind)].colour;
+  return kind == Kind::wall ? wall_colour : dummy_colour;
+}
+
 void Particles::show(const Frame& frame, Range range, const TankPose& pose) {
   Layer* const layers[] = {fluid_.get(), marked_.get(), surface_.get(), wall_.get(), dummy_.get()};
   for (Layer* layer : layers)
     if (layer) layer->clear();
   const double width = range.high - range.low;
+  const auto& classes = classes_of(quantity_);
   const double c = std::cos(pose.roll), s = std::sin(pose.roll);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Float3& in_tank = frame.position[i];
@@ -172,16 +183,18 @@ void Particles::show(const Frame& frame, Range range, const TankPose& pose) {
     switch (frame.kind[i]) {
       case Kind::fluid: {
         const bool marked = surface_ && frame.free_surface[i];
-        const Rgb colour = map_((frame.pressure[i] - range.low) / width);
+        const double value = value_of(quantity_, frame, i);
+        const Rgb colour =
+            classes.empty() ? map_((value - range.low) / width) : classes[static_cast<std::size_t>(value)].colour;
         (marked && marked_ ? marked_ : fluid_)->add(at, colour);
         if (marked) surface_->add(at, surface_colour);
         break;
       }
       case Kind::wall:
-        if (wall_) wall_->add(at, wall_colour);
+        if (wall_) wall_->add(at, wall(Kind::wall));
         break;
       case Kind::dummy:
-        if (dummy_) dummy_->add(at, dummy_colour);
+        if (dummy_) dummy_->add(at, wall(Kind::dummy));
         break;
     }
   }

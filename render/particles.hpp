@@ -3,6 +3,7 @@
 
 #include "render/colour_map.hpp"
 #include "render/look.hpp"
+#include "render/quantity.hpp"
 #include "solver/frame.hpp"
 
 class vtkRenderer;
@@ -31,6 +32,9 @@ class Particles {
   void make_spheres(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke);
   void make_discs(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke);
 
+  Rgb wall(Kind kind) const;
+
+  Quantity quantity_;
   ColourMap map_;
   std::unique_ptr<Layer> fluid_, marked_, surface_, wall_, dummy_;  // null when not shown
 };

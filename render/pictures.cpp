@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <exception>
 #include <optional>
 
 #include "render/outputs.hpp"
@@ -12,25 +13,35 @@ class Pictures : public Sink {
  public:
   Pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers) : look_(look), takers_(std::move(takers)) {
     check_look(look_);
+    quantity_ = quantity_of(look_.quantity);
   }
 
   void begin(const RunInfo& run) override {
     painter_.emplace(run, look_);
-    fixed_ = look_.range == "scene" ? scene_range(run) : parse_range(look_.range);
+    fixed_ = fixed_range(run, look_);
     for (const auto& taker : takers_) taker->begin(run, look_.width, look_.height);
   }
 
   void frame(const FramePtr& frame) override {
     painter_->record(frame->readings);
-    if (look_.range == "run")
+    if (look_.range == "run" && !fixed_)
       kept_.push_back(frame);
     else
-      draw(*frame, fixed_ ? *fixed_ : rounded(fluid_range(*frame)));
+      draw(*frame, fixed_ ? *fixed_ : rounded(fluid_range(*frame, quantity_)));
   }
 
   void end() override {
-    draw_kept();
-    for (const auto& taker : takers_) taker->end();
+    std::exception_ptr error;
+    const auto attempt = [&](const auto& what) {
+      try {
+        what();
+      } catch (...) {
+        if (!error) error = std::current_exception();
+      }
+    };
+    attempt([&] { draw_kept(); });
+    for (const auto& taker : takers_) attempt([&] { taker->end(); });  // whatever befell the others
+    if (error) std::rethrow_exception(error);
   }
 
  private:
@@ -41,9 +52,9 @@ class Pictures : public Sink {
 
   void draw_kept() {
     if (kept_.empty()) return;
-    Range whole = fluid_range(*kept_.front());
+    Range whole = fluid_range(*kept_.front(), quantity_);
     for (const auto& frame : kept_) {
-      const Range range = fluid_range(*frame);
+      const Range range = fluid_range(*frame, quantity_);
       whole = {std::min(whole.low, range.low), std::max(whole.high, range.high)};
     }
     whole = rounded(whole);
@@ -55,6 +66,7 @@ class Pictures : public Sink {
   }
 
   Look look_;
+  Quantity quantity_ = Quantity::pressure;
   std::vector<std::unique_ptr<ImageSink>> takers_;
   std::optional<Painter> painter_;
   std::optional<Range> fixed_;

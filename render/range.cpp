@@ -38,7 +38,7 @@ constexpr double slack = 1e-6;  // of a step: a tick on the range's end belongs 
 std::optional<Range> parse_range(const std::string& text) {
   if (text == "scene" || text == "frame" || text == "run") return std::nullopt;
   const auto wrong = [&] {
-    return std::invalid_argument(fmt::format("'{}' is no range; give scene, frame, run or \"min,max\" in Pa", text));
+    return std::invalid_argument(fmt::format("'{}' is no range; give scene, frame, run or \"min,max\"", text));
   };
   const auto comma = text.find(',');
   if (comma == std::string::npos) throw wrong();
@@ -83,14 +83,35 @@ Range rounded(Range range) {
   return {step * std::floor(range.low / step + slack), step * std::ceil(range.high / step - slack)};
 }
 
-Range scene_range(const RunInfo& run) { return rounded({0, 1.5 * run.density * std::abs(run.gravity) * run.depth}); }
+Range scene_range(const RunInfo& run, Quantity quantity) {
+  const double weight = std::abs(run.gravity) * run.depth;
+  switch (quantity) {
+    case Quantity::pressure:
+      return rounded({0, 1.5 * run.density * weight});
+    case Quantity::speed:
+      return rounded({0, 0.5 * std::sqrt(weight)});
+    case Quantity::number_density:
+      return {0.8, 1.2};
+    case Quantity::free_surface:
+    case Quantity::kind:
+      break;
+  }
+  return {0, static_cast<double>(classes_of(quantity).size()) - 1};
+}
 
-Range fluid_range(const Frame& frame) {
+std::optional<Range> fixed_range(const RunInfo& run, const Look& look) {
+  const Quantity quantity = quantity_of(look.quantity);
+  if (look.range == "scene" || !classes_of(quantity).empty()) return scene_range(run, quantity);
+  return parse_range(look.range);
+}
+
+Range fluid_range(const Frame& frame, Quantity quantity) {
   Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < frame.size(); ++i) {
-    if (frame.kind[i] != Kind::fluid || !std::isfinite(frame.pressure[i])) continue;
-    range.low = std::min(range.low, static_cast<double>(frame.pressure[i]));
-    range.high = std::max(range.high, static_cast<double>(frame.pressure[i]));
+    if (frame.kind[i] != Kind::fluid) continue;
+    const double value = value_of(quantity, frame, i);
+    if (!std::isfinite(value)) continue;
+    range = {std::min(range.low, value), std::max(range.high, value)};
   }
   return range.low <= range.high ? range : Range{0, 0};
 }

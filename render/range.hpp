@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/look.hpp"
+#include "render/quantity.hpp"
 #include "solver/frame.hpp"
 
 namespace seiche::render {
@@ -24,11 +25,16 @@ std::string tick_label(double value, double step);
 /// The smallest range between two round ticks that holds `range`; one of no width becomes [low, low + 1] first.
 Range rounded(Range range);
 
-/// [0, 1.5 rho g H], rounded: known before the first step, and the same for all runs of one scene.
-Range scene_range(const RunInfo& run);
+/// Known before the first step, and the same for all runs of one scene. Pressure: [0, 1.5 rho g H], rounded. Speed:
+/// [0, 0.5 sqrt(g H)], rounded: half of what a long wave travels at, which only waves that break go beyond. Number
+/// density: [0.8, 1.2], its ideal in the middle, for diverging colours. Classes: from the first to the last.
+Range scene_range(const RunInfo& run, Quantity quantity = Quantity::pressure);
 
-/// Least and greatest pressure of the fluid particles; [0, 0] when there are none.
-Range fluid_range(const Frame& frame);
+/// What the look asks for, where it is known before the first frame: "scene", "min,max", or the range of classes.
+std::optional<Range> fixed_range(const RunInfo& run, const Look& look);
+
+/// Least and greatest value of the fluid particles; [0, 0] when there are none.
+Range fluid_range(const Frame& frame, Quantity quantity = Quantity::pressure);
 
 /// 1, 2 or 5 times a power of ten, the greatest that isn't above `length`.
 double round_below(double length);

@@ -19,11 +19,13 @@ std::string beyond(const char* what, double value, double excess, Range range) {
 
 }  // namespace
 
-ScalarBar::ScalarBar(vtkRenderer* renderer, const Layout& layout, const ColourMap& map, Rgb ink)
-    : overlay_(renderer), layout_(layout), map_(map), ink_(ink) {}
+ScalarBar::ScalarBar(vtkRenderer* renderer, const Layout& layout, Quantity quantity, const ColourMap& map, Rgb ink)
+    : overlay_(renderer), layout_(layout), quantity_(quantity), map_(map), ink_(ink) {}
 
-double ScalarBar::label_width(Range range) {
+double ScalarBar::label_width(Quantity quantity, Range range) {
   double width = 0;
+  for (const Class& each : classes_of(quantity)) width = std::max(width, label_font * text_width(each.name));
+  if (width > 0) return width;
   const Ticks ticks = round_ticks(range);
   for (const double value : ticks.values) width = std::max(width, text_width(tick_label(value, ticks.step)));
   return label_font * (width + text_width("max 0"));
@@ -69,13 +71,32 @@ void ScalarBar::draw_ticks() {
   }
   const Box& bar = layout_.bar;
   if (layout_.bar_upright) {
-    overlay_.text(title, bar.x, bar.top() + 2.5 * f, f, Align::left, ink_);
     above_ = words("", {bar.x + side + 0.55 * f, bar.top() + 1.0 * f}, Align::left);
     below_ = words("", {bar.x + side + 0.55 * f, bar.y - 1.0 * f}, Align::left);
   } else {
-    overlay_.text(title, bar.x + bar.width / 2, bar.top() + 0.9 * f, f, Align::centre, ink_);
     above_ = words("", {bar.right() + 1.3 * f, bar.y + bar.height / 2}, Align::left);
     below_ = words("", {bar.x - 1.3 * f, bar.y + bar.height / 2}, Align::right);
+  }
+}
+
+void ScalarBar::draw_title() {
+  const Box& bar = layout_.bar;
+  const double f = layout_.font;
+  if (layout_.bar_upright)
+    overlay_.text(title_of(quantity_), bar.x, bar.top() + 2.5 * f, f, Align::left, ink_);
+  else
+    overlay_.text(title_of(quantity_), bar.x + bar.width / 2, bar.top() + 0.9 * f, f, Align::centre, ink_);
+}
+
+void ScalarBar::draw_classes() {
+  const auto& classes = classes_of(quantity_);
+  const double f = layout_.font, parts = static_cast<double>(classes.size());
+  const double thick = layout_.bar_upright ? layout_.bar.width : layout_.bar.height;
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    const double low = static_cast<double>(k) / parts, high = static_cast<double>(k + 1) / parts;
+    overlay_.polygon({at(low, 0), at(low, thick), at(high, thick), at(high, 0)}, classes[k].colour);
+    const auto [x, y] = at((low + high) / 2, thick + (layout_.bar_upright ? 0.55 : 0.95) * f);
+    overlay_.text(classes[k].name, x, y, label_font * f, layout_.bar_upright ? Align::left : Align::centre, ink_);
   }
 }
 
@@ -83,9 +104,15 @@ void ScalarBar::show(Range range, Range found) {
   if (!range_ || range_->low != range.low || range_->high != range.high) {
     range_ = range;
     overlay_.clear();
-    draw_colours();
-    draw_ticks();
+    draw_title();
+    if (classes_of(quantity_).empty()) {
+      draw_colours();
+      draw_ticks();
+    } else {
+      draw_classes();
+    }
   }
+  if (!below_) return;
   below_->SetInput(beyond("min", found.low, range.low - found.low, range).c_str());
   above_->SetInput(beyond("max", found.high, found.high - range.high, range).c_str());
 }

@@ -15,15 +15,15 @@ TEST(Usage, HelpListsVerbsOutputsAndExitCodes) {
   const Scratch scratch;
   const Result result = seiche(scratch.folder(), {"--help"});
   EXPECT_EQ(result.code, 0);
-  for (const char* text :
-       {"run ", "check ", "info ", "kernels ", "validate ", "probes.csv", "Exit codes:", "Examples:"}) {
+  for (const char* text : {"run ", "render ", "movie ", "check ", "info ", "kernels ", "validate ", "probes.csv",
+                           "Exit codes:", "Examples:"}) {
     EXPECT_NE(result.out.find(text), std::string::npos) << text;
   }
 }
 
 TEST(Usage, EachVerbHasItsOwnHelpWithExamples) {
   const Scratch scratch;
-  for (const std::string verb : {"run", "check", "info", "kernels", "validate"}) {
+  for (const std::string verb : {"run", "render", "movie", "check", "info", "kernels", "validate"}) {
     const Result result = seiche(scratch.folder(), {verb, "--help"});
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.out.find("Examples:\n  seiche " + verb), std::string::npos) << result.out;
@@ -98,7 +98,8 @@ TEST(Usage, EachBadSceneExitsWith2AndNamesTheFault) {
             "--kernel KF9: [method] kernel = 'KF9' is none of its choices; expected one of KF1, KF2, KF3, KF4, KF5\n");
   EXPECT_EQ(
       error_of("", {"--range", "1"}),
-      "--range 1: [look] range = '1' cannot be used; expected scene, frame, run, or min,max as in -100,3000 [Pa]\n");
+      "--range 1: [look] range = '1' cannot be used; expected scene, frame, run, or min,max as in -100,3000, in the "
+      "quantity's unit\n");
   EXPECT_EQ(error_of("", {"--set", "tank.lenght=1"}),
             "--set tank.lenght=1: 'tank.lenght' is no key of a scene; did you mean 'tank.length'?\n");
   EXPECT_EQ(error_of("", {"--set", "look.curves=eta_lft"}),

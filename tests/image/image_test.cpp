@@ -40,6 +40,12 @@ TEST(Baseline, Transparent) {
   expect_baseline("transparent", draw(look, sloshing, 0.2));
 }
 
+TEST(Baseline, ClassesHaveAKeyInsteadOfARange) {
+  Look look = sized(640, 360);
+  look.quantity = "kind";
+  expect_baseline("classes", draw(look, sloshing, 0.2));
+}
+
 TEST(Baseline, StillTank3d) {
   expect_baseline(
       "still-tank-3d",

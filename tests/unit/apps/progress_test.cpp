@@ -19,6 +19,13 @@ TEST(Progress, ALineTellsShareTimeFrameStepsRateAndWhatIsLeft) {
   EXPECT_EQ(progress_line(half), " 50 %  5.00/10 s  frame 250/500  1200 steps  20 steps/s  1:00 left");
 }
 
+TEST(Progress, AReplayCountsPicturesFromWhereItBegan) {
+  const Moment replay{7.5, 10, 375, 500, 125, 5, false, 5, "pictures"};
+  EXPECT_EQ(progress_line(replay), " 50 %  7.50/10 s  frame 375/500  125 pictures  25 pictures/s  0:05 left");
+  const Moment one{5, 5, 250, 250, 1, 1, false, 5, "pictures"};
+  EXPECT_EQ(progress_line(one), "100 %  5.00/5 s  frame 250/250  1 pictures  1 pictures/s  0:00 left");
+}
+
 TEST(Progress, TheBarFillsWithTheShare) {
   EXPECT_EQ(progress_bar(half, 200).substr(0, 19), "[#####-----]  50 % ");
   Moment end = half;

@@ -17,6 +17,7 @@ TEST(Look, EachWrongMemberIsRefusedByItsValue) {
     }
     return false;
   };
+  EXPECT_TRUE(refused([](Look& look) { look.quantity = "wrong"; }));
   EXPECT_TRUE(refused([](Look& look) { look.colour_map = "wrong"; }));
   EXPECT_TRUE(refused([](Look& look) { look.background = "wrong"; }));
   EXPECT_TRUE(refused([](Look& look) { look.style = "wrong"; }));

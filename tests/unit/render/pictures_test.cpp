@@ -113,6 +113,22 @@ TEST(Pictures, EveryTakerGetsEachFrameOnceAndTheSame) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(first.images[i].rgba, second.images[i].rgba);
 }
 
+TEST(Pictures, ATakerThatFailsAtTheEndKeepsNoOtherFromEnding) {
+  struct Failing : ImageSink {
+    void begin(const RunInfo&, int, int) override {}
+    void image(const Image&, const Frame&) override {}
+    void end() override { throw std::runtime_error("the disk is full"); }
+  };
+  Kept kept;
+  std::vector<std::unique_ptr<ImageSink>> takers;
+  takers.push_back(std::make_unique<Failing>());
+  takers.push_back(std::make_unique<Keeper>(kept));
+  const auto sink = pictures(small(), std::move(takers));
+  sink->begin(test::run_info(box));
+  EXPECT_THROW(sink->end(), std::runtime_error);
+  EXPECT_EQ(kept.ended, 1);
+}
+
 TEST(Pictures, HaveTheSizeAndTheBackground) {
   Look look = small();
   const auto corner = [&](const char* background) {

@@ -35,6 +35,33 @@ TEST(Range, OfTheSceneEndsAtARoundTick) {
   EXPECT_DOUBLE_EQ(scene_range(run).high, 30000);
 }
 
+TEST(Range, OfTheSceneSuitsTheQuantity) {
+  RunInfo run;
+  run.density = 1000;
+  run.gravity = 9.81;
+  run.depth = 0.2;  // sqrt(g H) = 1.4 m/s
+  EXPECT_DOUBLE_EQ(scene_range(run, Quantity::speed).low, 0);
+  EXPECT_NEAR(scene_range(run, Quantity::speed).high, 0.8, 1e-9);
+  EXPECT_DOUBLE_EQ(scene_range(run, Quantity::number_density).low + scene_range(run, Quantity::number_density).high, 2);
+  EXPECT_DOUBLE_EQ(scene_range(run, Quantity::free_surface).high, 1);
+  EXPECT_DOUBLE_EQ(scene_range(run, Quantity::kind).high, 2);
+}
+
+TEST(Range, IsFixedUnlessItComesFromFrames) {
+  const RunInfo run;
+  Look look;
+  const auto fixed = [&](const char* range) {
+    look.range = range;
+    return fixed_range(run, look);
+  };
+  EXPECT_TRUE(fixed("scene"));
+  EXPECT_DOUBLE_EQ(fixed("-1,2")->high, 2);
+  EXPECT_FALSE(fixed("frame"));
+  EXPECT_FALSE(fixed("run"));
+  look.quantity = "kind";
+  for (const char* range : {"scene", "-1,2", "frame", "run"}) EXPECT_DOUBLE_EQ(fixed(range)->high, 2) << range;
+}
+
 TEST(Range, OfTheFluidLeavesWallsAndNanOut) {
   Frame frame;
   frame.position.resize(4);

@@ -1,0 +1,165 @@
+// Runs that are drawn and filmed again, done or still going.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+
+#include "tests/cli/program.hpp"
+#include "tests/unit/apps/files.hpp"
+
+namespace fs = std::filesystem;
+
+namespace seiche::test {
+namespace {
+
+// The quick scene with small pictures.
+std::vector<std::string> run_until(const std::string& end, std::vector<std::string> more = {}) {
+  std::vector<std::string> all{"run",   SEICHE_SCENES "/quick.toml", "--end", end, "--threads", "2",
+                               "--set", "output.size=320x240"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+long pictures_in(const fs::path& folder) {
+  long count = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) count += entry.path().extension() == ".png";
+  return count;
+}
+
+// As in "320,240,25/1,6": width, height, rate, frames.
+std::string facts_of(const fs::path& movie) {
+  const std::string facts = output_of(
+      "ffprobe -v error -count_frames -show_entries stream=width,height,r_frame_rate,nb_read_frames -of csv=p=0 '" +
+      movie.string() + "'");
+  return facts.substr(0, facts.find('\n'));
+}
+
+struct Replay : testing::Test {
+  Scratch scratch;
+  const fs::path out = scratch / "out/quick";
+  void run(const std::vector<std::string>& arguments) {
+    const Result result = seiche(scratch.folder(), arguments);
+    ASSERT_EQ(result.code, 0) << result.err;
+  }
+};
+
+TEST_F(Replay, DrawsWhatTheRunDrew) {
+  run(run_until("0.2", {"--set", "look.curves=none"}));
+  run({"render", "out/quick"});
+  ASSERT_EQ(pictures_in(out / "render"), 6);
+  for (const auto& entry : fs::directory_iterator(out / "render"))
+    EXPECT_TRUE(read_file(entry.path()) == read_file(out / "frames" / entry.path().filename())) << entry.path();
+}
+
+TEST_F(Replay, SaysWhatItMadeAndWhere) {
+  run(run_until("0.2"));
+  const Result result = seiche(scratch.folder(), {"render", "out/quick", "--from", "0.08", "--size", "160x120",
+                                                  "--colour-map", "cividis", "--movie", "webm", "-o", "again"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.out.find("Done: 4 frames in "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("  pictures  again/\n  movie     again/quick.webm\n"), std::string::npos) << result.out;
+  EXPECT_EQ(pictures_in(scratch / "again"), 4);
+  EXPECT_TRUE(fs::exists(scratch / "again/000002.png")) << "numbered as in the run";
+  EXPECT_EQ(facts_of(scratch / "again/quick.webm"), "160,120,25/1,4");
+}
+
+TEST_F(Replay, FilmsPicturesAsTheyAreAndVtuFilesOtherwise) {
+  run(run_until("0.2"));
+  run({"movie", "out/quick", "--quiet"});
+  EXPECT_EQ(facts_of(out / "render/quick.mp4"), "320,240,25/1,6");
+  run({"movie", "out/quick", "-o", "slow.mp4", "--speed", "0.2", "--frames", "2:4"});
+  EXPECT_EQ(facts_of(scratch / "slow.mp4"), "320,240,5/1,3");
+  run({"movie", "out/quick", "-o", "lab.gif", "--view", "lab", "--size", "101x95", "--fps", "10"});
+  EXPECT_EQ(facts_of(scratch / "lab.gif"), "101,95,10/1,6");
+  fs::remove_all(out / "vtu");
+  fs::remove_all(out / "frames");
+  const Result result = seiche(scratch.folder(), {"movie", "out/quick", "-o", "none.mp4"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_NE(result.err.find("quick_000000.vtu isn't there"), std::string::npos) << result.err;
+}
+
+TEST_F(Replay, BadInputIsRefusedInOneSentenceAndNothingIsWritten) {
+  run(run_until("0.04"));
+  fs::create_directories(scratch / "empty");
+  write_text(scratch / "half/run.json", "{\"seiche\": \"0.1");
+  const auto error_of = [&](std::vector<std::string> arguments) {
+    const Result result = seiche(scratch.folder(), arguments);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    return result.err;
+  };
+  const std::string expected = "; expected the folder of a run, as `seiche run` leaves it\n";
+  for (const std::string verb : {"render", "movie"}) {
+    EXPECT_EQ(error_of({verb, "nowhere"}), "seiche: nowhere isn't there" + expected);
+    EXPECT_EQ(error_of({verb, "empty"}), "seiche: empty is empty" + expected);
+    EXPECT_EQ(error_of({verb, "out"}), "seiche: out has no run.json" + expected);
+    EXPECT_TRUE(error_of({verb, "half"}).starts_with("seiche: half/run.json can't be used: "));
+    EXPECT_EQ(error_of({verb, "out/quick", "--set", "look.colour_mop=turbo"}),
+              "--set look.colour_mop=turbo: 'look.colour_mop' is no key of a scene; did you mean 'look.colour_map'?\n");
+    EXPECT_EQ(error_of({verb, "out/quick", "--set", "motion.amplitude=1"}),
+              "--set motion.amplitude=1: motion.amplitude is settled by the run; only [look] and output.size can be "
+              "changed without running the scene again\n");
+    EXPECT_EQ(error_of({verb, "out/quick", "--frames", "3:1"}),
+              "seiche: '3:1' are no frames; give the first and the last one, as in 100:200, 100: or :200\n");
+    EXPECT_EQ(error_of({verb, "out/quick", "--from", "9"}),
+              "seiche: none of the frames in out/quick is among those asked for: it has 0 to 1, from 0 to 0.04 s\n");
+    EXPECT_NE(error_of({verb, "out/quick", "--range", "run", "--latest"}).find("needs all of them"), std::string::npos);
+  }
+  EXPECT_NE(error_of({"render", "out/quick", "--size", "161x120", "--movie", "mp4"}).find("even width"),
+            std::string::npos);
+  EXPECT_NE(error_of({"movie", "out/quick", "-o", "a.avi"}).find(".mp4, .webm or .gif"), std::string::npos);
+  write_text(scratch / "a.gif", "mine");
+  EXPECT_EQ(error_of({"movie", "out/quick", "-o", "a.gif"}),
+            "seiche: a.gif exists; choose another name with -o FILE, or replace it with --overwrite\n");
+  EXPECT_EQ(read_file(scratch / "a.gif"), "mine");
+  EXPECT_FALSE(fs::exists(out / "render"));
+}
+
+TEST_F(Replay, WithoutVtuFilesItSaysSoButFilmsThePictures) {
+  run(run_until("0.08", {"--set", "output.vtu=false"}));
+  const Result result = seiche(scratch.folder(), {"render", "out/quick"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err, "seiche: out/quick has no VTU files to draw from: it was run with output.vtu = false\n");
+  run({"movie", "out/quick", "-o", "a.mp4"});
+  EXPECT_EQ(facts_of(scratch / "a.mp4"), "320,240,25/1,3");
+}
+
+TEST_F(Replay, LatestFollowsARunToItsEnd) {
+  Program going(scratch.folder(), run_until("3"));
+  ASSERT_TRUE(going.wait_for("  5 %"));
+  Program pictures(scratch.folder(), {"render", "out/quick", "--latest", "-o", "latest", "--movie", "mp4"});
+  Program movie(scratch.folder(), {"movie", "out/quick", "--latest", "-o", "latest.webm"});
+  EXPECT_EQ(going.wait().code, 0);
+  const Result drawn = pictures.wait(), filmed = movie.wait();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(filmed.code, 0) << filmed.err;
+  EXPECT_EQ(pictures_in(scratch / "latest"), 76);
+  EXPECT_EQ(facts_of(scratch / "latest/quick.mp4"), "320,240,25/1,76");
+  EXPECT_EQ(facts_of(scratch / "latest.webm"), "320,240,25/1,76");
+}
+
+TEST_F(Replay, ASignalEndsItWithAMovieThatPlays) {
+  Program going(scratch.folder(), run_until("60"));
+  ASSERT_TRUE(going.wait_for("  0 %"));
+  for (const std::string verb : {"render", "movie"}) {
+    std::vector<std::string> arguments{verb, "out/quick", "--latest", "-o", verb == "render" ? "a" : "a/quick.webm"};
+    if (verb == "render") arguments.insert(arguments.end(), {"--movie", "mp4"});
+    Program latest(scratch.folder(), arguments);
+    ASSERT_TRUE(latest.wait_for("frame "));
+    latest.signal(SIGINT);
+    const Result result = latest.wait();
+    EXPECT_EQ(result.code, 130) << result.err;
+    EXPECT_NE(result.out.find("Interrupted: "), std::string::npos) << result.out;
+  }
+  going.signal(SIGINT);
+  going.wait();
+  const long pictures = pictures_in(scratch / "a");
+  EXPECT_GE(pictures, 1);
+  EXPECT_EQ(facts_of(scratch / "a/quick.mp4"), "320,240,25/1," + std::to_string(pictures));
+  EXPECT_NE(facts_of(scratch / "a/quick.webm"), "");
+}
+
+}  // namespace
+}  // namespace seiche::test
