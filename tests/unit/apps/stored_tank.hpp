@@ -23,7 +23,7 @@ class StoredTank {
                            "tank.toml", {})),
         outputs_(make_outputs(scene_, folder_)) {
     folder_.prepare();
-    write_run_json(folder_.report(), scene_, record_);
+    write_run_json(folder_.record(), scene_, record_);
     outputs_.begin(run_info(scene_));
   }
 
@@ -48,7 +48,7 @@ class StoredTank {
     const std::string trouble = outputs_.end();
     if (!trouble.empty()) throw std::runtime_error(trouble);
     record_.ending = Ending{status, "", frames_, 0.02 * static_cast<double>(frames_ - 1)};
-    write_run_json(folder_.report(), scene_, record_);
+    write_run_json(folder_.record(), scene_, record_);
   }
 
   const OutputFolder& folder() const { return folder_; }
