@@ -16,8 +16,6 @@ std::string trimmed(const std::string& text) {
 
 bool is_elevation(const std::string& name) { return name.starts_with("eta_"); }
 bool is_pressure(const std::string& name) { return name.starts_with("p_"); }
-bool is_motion(const std::string& name) { return name == "surge" || name == "heave" || name == "roll"; }
-
 using Columns = std::vector<std::size_t>;
 
 void add(Columns& columns, std::size_t column) {
@@ -57,6 +55,8 @@ std::optional<std::vector<std::string>> named_curves(const std::string& curves) 
                     curves, most_curves));
   return names;
 }
+
+bool is_motion(const std::string& name) { return name == "surge" || name == "heave" || name == "roll"; }
 
 std::string bare_name(const std::string& column) { return trimmed(column.substr(0, column.find('['))); }
 

@@ -17,6 +17,9 @@ std::optional<std::vector<std::string>> named_curves(const std::string& curves);
 /// A column's name without its unit: "p_left_bottom" of "p_left_bottom [Pa]".
 std::string bare_name(const std::string& column);
 
+/// Whether a column, by its bare name, is the tank's motion.
+bool is_motion(const std::string& name);
+
 /// A column's name in words: "pressure, left bottom [Pa]" of "p_left_bottom [Pa]".
 std::string curve_title(const std::string& column);
 

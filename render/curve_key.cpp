@@ -7,6 +7,8 @@ namespace {
 
 constexpr double mark = 2.2, after_mark = 0.4, between = 1.2;  // in font heights
 
+bool has_sample(const SensorCurve& curve) { return !curve.references.empty() && curve.traces.size() == 1; }
+
 double entry_width(const std::string& label) { return mark + after_mark + text_width(label); }
 
 double middle(const Box& box) { return box.y + box.height / 2; }
@@ -21,7 +23,7 @@ Dashes dashes_of(std::size_t reference) {
 }
 
 double title_width(const SensorCurve& curve) {
-  return curve.references.empty() ? text_width(curve.title) : entry_width(curve.title);
+  return has_sample(curve) ? entry_width(curve.title) : text_width(curve.title);
 }
 
 double key_width(const SensorCurve& curve) {
@@ -31,8 +33,8 @@ double key_width(const SensorCurve& curve) {
 }
 
 void place_title(Overlay& overlay, const SensorCurve& curve, const Box& place, double font, const Palette& colours) {
-  const double y = middle(place), indent = curve.references.empty() ? 0 : mark + after_mark;
-  if (indent > 0) overlay.line(sample(place.x, y, font), curve_width * font, colours.curve);
+  const double y = middle(place), indent = has_sample(curve) ? mark + after_mark : 0;
+  if (indent > 0) overlay.line(sample(place.x, y, font), curve_width * font, curve.traces[0].colour);
   const std::string title = shortened(curve.title, place.width / font - indent + 0.01);
   overlay.text(title, place.x + indent * font, y, font, Align::left, colours.ink);
 }

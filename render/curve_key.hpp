@@ -16,7 +16,7 @@ Dashes dashes_of(std::size_t reference);
 constexpr double curve_width = 0.13, reference_width = 0.085;
 
 /// Widths of the curve's title and of the key to its references, in font heights; 0 where it has none. Beside
-/// references the title stands behind a piece of the curve, as in a key.
+/// references the title of a single run's curve stands behind a piece of it, as in a key.
 double title_width(const SensorCurve& curve);
 double key_width(const SensorCurve& curve);
 

@@ -113,11 +113,19 @@ void CurvePanel::show(double time) {
   line_.clear();
   mark_.clear();
   mark_.box({at({time, 0})[0] - thin_ / 2, plot.y, thin_, plot.height}, colours_.ink);
-  const auto lines = thinned(curve_.series, time, column * curve_.end / plot.width);
-  for (const Line& line : lines) line_.line(at(line), curve_width * font_, colours_.curve);
-  if (lines.empty()) return;
-  const auto [x, y] = at(lines.back().back());
-  mark_.ring(x, y, 0, 0.3 * font_, colours_.curve);
+  for (const Trace& trace : curve_.traces) draw_trace(trace, time);
+}
+
+void CurvePanel::draw_trace(const Trace& trace, double time) {
+  for (const Line& line : thinned(trace.series, time, column * curve_.end / place_.plot.width))
+    for (const Line& part : clipped(line, *range_)) line_.line(at(part), curve_width * font_, trace.colour);
+  const auto reading = latest(trace, time);
+  if (!reading) return;
+  const auto [x, y] = at({(*reading)[0], std::clamp((*reading)[1], range_->low, range_->high)});
+  if (trace.broken_off && trace.series.time.back() < time * (1 - time_slack))
+    mark_.cross(x, y, 0.4 * font_, curve_width * font_, trace.colour);
+  else
+    mark_.ring(x, y, 0, 0.3 * font_, trace.colour);
 }
 
 }  // namespace seiche::render

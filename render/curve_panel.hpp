@@ -12,8 +12,8 @@ namespace seiche::render {
 /// Into how many parts ticks may cut an axis.
 constexpr int fewest_ticks = 2, most_ticks = 8;
 
-/// One curve over time between its axes: readings up to now as a solid line, references dashed for the whole run, and
-/// a mark at the present time.
+/// One sensor's curves over time between their axes: each run's readings up to now, references dashed for the whole
+/// run, and a mark at the present time. A cross stands where a run has failed.
 class CurvePanel {
  public:
   /// `curve` outlives it.
@@ -29,6 +29,7 @@ class CurvePanel {
   void draw_values();
   void draw_times();
   void draw_references();
+  void draw_trace(const Trace& trace, double time);
   Point at(const Point& point) const;
   Line at(Line line) const;
 

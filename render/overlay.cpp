@@ -7,14 +7,17 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <cctype>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "render/pixels.hpp"
 
@@ -30,7 +33,7 @@ void set_font(vtkTextProperty* style) {
   style->SetFontFile(SEICHE_FONT);
 }
 
-Overlay::Overlay(vtkRenderer* renderer)
+Overlay::Overlay(vtkRenderer* renderer, double opacity)
     : renderer_(renderer),
       points_(vtkSmartPointer<vtkPoints>::New()),
       cells_(vtkSmartPointer<vtkCellArray>::New()),
@@ -44,6 +47,7 @@ Overlay::Overlay(vtkRenderer* renderer)
   mapper->SetInputData(shapes);
   vtkNew<vtkActor2D> actor;
   actor->SetMapper(mapper);
+  actor->GetProperty()->SetOpacity(opacity);
   renderer_->AddActor2D(actor);
 }
 
@@ -65,6 +69,12 @@ void Overlay::ring(double x, double y, double inner, double outer, Rgb colour) {
   };
   for (int part = 0; part < parts; ++part)
     polygon({at(inner, part), at(outer, part), at(outer, part + 1), at(inner, part + 1)}, colour);
+}
+
+void Overlay::cross(double x, double y, double reach, double width, Rgb colour) {
+  const double d = reach / std::numbers::sqrt2;
+  line({{x - d, y - d}, {x + d, y + d}}, width, colour);
+  line({{x - d, y + d}, {x + d, y - d}}, width, colour);
 }
 
 void Overlay::line(const Line& points, double width, Rgb colour) {
@@ -115,6 +125,26 @@ double text_width(const std::string& words) {
   int box[4] = {};
   if (!vtkTextRenderer::GetInstance()->GetBoundingBox(style, words, box, dpi)) return 0;
   return static_cast<double>(box[1] - box[0] + 1) / font;
+}
+
+std::vector<std::string> wrapped(const std::string& words, double room) {
+  constexpr std::size_t longest_unit = 3;
+  std::vector<std::string> parts;
+  std::istringstream in(words);
+  for (std::string word; in >> word;) {
+    if (!parts.empty() && word.size() <= longest_unit && std::isdigit(static_cast<unsigned char>(parts.back().back())))
+      parts.back() += " " + word;
+    else
+      parts.push_back(word);
+  }
+  std::vector<std::string> lines;
+  for (const std::string& part : parts) {
+    if (!lines.empty() && text_width(lines.back() + " " + part) <= room)
+      lines.back() += " " + part;
+    else
+      lines.push_back(part);
+  }
+  return lines;
 }
 
 std::string shortened(std::string words, double room) {

@@ -16,6 +16,7 @@ struct Palette {
   Rgb paper, ink, outline, shade;
   Rgb grid, curve;                ///< of the curves under the picture
   std::array<Rgb, 3> references;  ///< of the series beside them, in turn
+  std::array<Rgb, 9> runs;        ///< of the curves of several runs
 };
 
 /// Of Look::background.

@@ -6,7 +6,7 @@
 namespace seiche::render {
 namespace {
 
-constexpr double slack = 1e-9;  // times are multiples of an interval, but for rounding
+constexpr double slack = time_slack;
 
 // The least and the greatest point of the one column that is being gone through, in the order in which they came.
 class Column {
@@ -63,6 +63,25 @@ std::vector<Line> thinned(const Series& series, double until, double column) {
   }
   finish();
   return lines;
+}
+
+std::vector<Line> clipped(const Line& line, Range heights) {
+  std::vector<Line> parts;
+  const auto inside = [&](const Point& p) { return p[1] >= heights.low && p[1] <= heights.high; };
+  // Where the piece from `a` crosses the height that `out` lies beyond.
+  const auto edge = [&](const Point& a, const Point& b, const Point& out) -> Point {
+    const double height = out[1] > heights.high ? heights.high : heights.low;
+    return {a[0] + (height - a[1]) / (b[1] - a[1]) * (b[0] - a[0]), height};
+  };
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Point &b = line[i], &a = line[i > 0 ? i - 1 : 0];
+    const bool passes = (a[1] < heights.low && b[1] > heights.high) || (a[1] > heights.high && b[1] < heights.low);
+    if (i == 0 && inside(b)) parts.emplace_back();
+    if (!inside(a) && (inside(b) || passes)) parts.push_back({edge(a, b, a)});
+    if (inside(b)) parts.back().push_back(b);
+    if (!inside(b) && (inside(a) || passes)) parts.back().push_back(edge(a, b, b));
+  }
+  return parts;
 }
 
 std::vector<Line> dashed(const Line& line, double dash, double gap) {

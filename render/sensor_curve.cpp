@@ -15,18 +15,9 @@ void widen(std::optional<Range>& range, double value) {
   range = Range{std::min(range->low, value), std::max(range->high, value)};
 }
 
-std::optional<Range> reference_range(const SensorCurve& curve) {
-  std::optional<Range> range;
-  for (const Reference& reference : curve.references)
-    for (std::size_t i = 0; i < reference.series.time.size(); ++i)
-      if (reference.series.time[i] >= 0 && reference.series.time[i] <= curve.end)
-        widen(range, reference.series.value[i]);
-  return range;
-}
-
 double middle(const SensorCurve& curve) {
   if (curve.about_zero) return 0;
-  const auto& values = curve.series.value;
+  const auto& values = curve.traces.at(0).series.value;
   const auto first = std::find_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
   return first == values.end() ? 0 : *first;
 }
@@ -48,7 +39,8 @@ std::vector<SensorCurve> sensor_curves(const RunInfo& run, const Look& look) {
   if (run.sensors.empty()) return curves;
   for (const std::size_t column : chosen_columns(look, run.sensors)) {
     const std::string& name = run.sensors[column];
-    SensorCurve curve{.title = curve_title(name), .column = column, .end = run.end, .reach = reach_of(name, run)};
+    SensorCurve curve{.title = curve_title(name), .end = run.end, .reach = reach_of(name, run), .traces = {}};
+    curve.traces.push_back({.colour = palette(look.background).curve, .column = column});
     curve.about_zero = !name.ends_with("[Pa]");
     for (const Reference& reference : look.references)
       if (reference.of == bare_name(name)) curve.references.push_back(reference);
@@ -57,18 +49,37 @@ std::vector<SensorCurve> sensor_curves(const RunInfo& run, const Look& look) {
   return curves;
 }
 
-void record(SensorCurve& curve, const Readings& readings) {
+void record(SensorCurve& curve, const Readings& readings, std::size_t trace) {
   if (readings.time.empty()) return;
+  auto& [colour, column, series, broken_off] = curve.traces.at(trace);
   const std::size_t columns = readings.values.size() / readings.time.size();
   for (std::size_t row = 0; row < readings.time.size(); ++row) {
-    const double value = readings.values[row * columns + curve.column];
-    curve.series.time.push_back(readings.time[row]);
-    curve.series.value.push_back(value);
+    const double value = readings.values[row * columns + column];
+    series.time.push_back(readings.time[row]);
+    series.value.push_back(value);
     widen(curve.extent, value);
   }
 }
 
+std::optional<Point> latest(const Trace& trace, double time) {
+  const auto& times = trace.series.time;
+  const auto after = std::upper_bound(times.begin(), times.end(), time * (1 + time_slack));
+  for (auto row = static_cast<std::size_t>(after - times.begin()); row-- > 0;)
+    if (std::isfinite(trace.series.value[row])) return Point{times[row], trace.series.value[row]};
+  return {};
+}
+
+std::optional<Range> reference_range(const SensorCurve& curve) {
+  std::optional<Range> range;
+  for (const Reference& reference : curve.references)
+    for (std::size_t i = 0; i < reference.series.time.size(); ++i)
+      if (reference.series.time[i] >= 0 && reference.series.time[i] <= curve.end)
+        widen(range, reference.series.value[i]);
+  return range;
+}
+
 Range axis_range(const SensorCurve& curve) {
+  if (curve.axis) return *curve.axis;
   double centre = middle(curve);
   Range range{centre - curve.reach, centre + curve.reach};
   if (const auto span = reference_range(curve); span && span->high > span->low) {

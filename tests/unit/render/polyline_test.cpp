@@ -101,3 +101,24 @@ TEST(Dashed, FollowsCornersAndShortPieces) {
   EXPECT_TRUE(dashed({}, 1, 1).empty());
   EXPECT_TRUE(dashed({{1, 1}}, 1, 1).empty());
 }
+
+TEST(Clipped, KeepsWhatLiesBetweenTwoHeights) {
+  const Line line{{0, 0}, {1, 2}, {2, 0}, {3, -2}, {4, 0}};
+  const auto parts = clipped(line, {-1, 1});
+  ASSERT_EQ(parts.size(), 3u);
+  EXPECT_EQ(parts[0], (Line{{0, 0}, {0.5, 1}}));
+  EXPECT_EQ(parts[1], (Line{{1.5, 1}, {2, 0}, {2.5, -1}}));
+  EXPECT_EQ(parts[2], (Line{{3.5, -1}, {4, 0}}));
+}
+
+TEST(Clipped, ALineWithinStaysAsItIs) {
+  const Line line{{0, -1}, {1, 1}, {2, 0}};
+  EXPECT_EQ(clipped(line, {-1, 1}), (std::vector<Line>{line}));
+}
+
+TEST(Clipped, APieceMayPassThroughFromEndToEnd) {
+  EXPECT_EQ(clipped({{0, -4}, {2, 4}}, {-2, 2}), (std::vector<Line>{{{0.5, -2}, {1.5, 2}}}));
+  EXPECT_EQ(clipped({{0, 4}, {2, -4}}, {-2, 2}), (std::vector<Line>{{{0.5, 2}, {1.5, -2}}}));
+  EXPECT_TRUE(clipped({{0, 3}, {2, 4}}, {-2, 2}).empty());
+  EXPECT_TRUE(clipped({}, {-2, 2}).empty());
+}

@@ -32,8 +32,9 @@ TEST(SensorCurve, KeepsTheReadingsOfItsOwnColumn) {
   record(curve, test::readings(0, 0.1));
   record(curve, {});
   record(curve, test::readings(0.11, 0.2));
-  ASSERT_EQ(curve.series.time.size(), 21u);
-  for (std::size_t i = 0; i < 21; ++i) EXPECT_EQ(curve.series.value[i], test::reading(curve.series.time[i])[1]) << i;
+  ASSERT_EQ(curve.traces.at(0).series.time.size(), 21u);
+  for (std::size_t i = 0; i < 21; ++i)
+    EXPECT_EQ(curve.traces.at(0).series.value[i], test::reading(curve.traces.at(0).series.time[i])[1]) << i;
 }
 
 TEST(SensorCurve, NoSensorsNoCurves) { EXPECT_TRUE(sensor_curves(test::run_info({}), Look{}).empty()); }
@@ -79,4 +80,23 @@ TEST(AxisRange, TakesNoNoticeOfWhatIsNotFinite) {
   expect_range(curve, -0.05, 0.05);
   read(curve, 1, 1e30);
   EXPECT_GE(axis_range(curve).high, 1e30);
+}
+
+TEST(SensorCurve, TheLatestReadingIsTheLastFiniteOneUpToATime) {
+  SensorCurve curve = curve_of("eta_left");
+  const Trace& trace = curve.traces.at(0);
+  EXPECT_FALSE(latest(trace, 9));
+  for (const double time : {0.1, 0.2, 0.3}) read(curve, time, 10 * time);
+  read(curve, 0.4, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(latest(trace, 0.05));
+  EXPECT_EQ(latest(trace, 0.2), (Point{0.2, 2}));
+  EXPECT_EQ(latest(trace, 0.25), (Point{0.2, 2}));
+  EXPECT_EQ(latest(trace, 1), (Point{0.3, 3}));
+}
+
+TEST(SensorCurve, AFixedAxisStandsStill) {
+  SensorCurve curve = curve_of("eta_left");
+  curve.axis = Range{-1, 2};
+  read(curve, 0, 1000);
+  expect_range(curve, -1, 2);
 }
