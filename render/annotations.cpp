@@ -17,13 +17,13 @@ constexpr double mark = 1, between = 1.2;  // widths in the key, in font heights
 std::string metres(double length) { return fmt::format("{:.3g} m", length); }
 std::string clock_text(double seconds) { return fmt::format("t = {:.3f} s", seconds); }
 
-std::string caption_text(const RunInfo& run) {
-  return fmt::format("{} \u00b7 {} \u00b7 l\u2080 = {:.3g} mm", run.name, run.kernel, 1e3 * run.spacing);
-}
-
 double middle(const Box& box) { return box.y + box.height / 2; }
 
 }  // namespace
+
+std::string caption_of(const RunInfo& run) {
+  return fmt::format("{} \u00b7 {} \u00b7 l\u2080 = {:.3g} mm", run.name, run.kernel, 1e3 * run.spacing);
+}
 
 // What the colours tell needs no second word.
 bool Annotations::keyed_wall() const {
@@ -34,7 +34,7 @@ bool Annotations::keyed_surface() const {
 }
 
 void Annotations::claim(Needs& needs, double foreshortened) const {
-  if (look_.show_caption) needs.caption = text_width(caption_text(run_));
+  if (look_.show_caption) needs.caption = text_width(caption_);
   if (look_.show_clock) needs.clock = text_width(clock_text(std::max(run_.end, 1.0)));
   if (keyed_surface()) needs.key += mark + text_width(surface_words);
   if (keyed_wall()) needs.key += (needs.key > 0 ? between : 0) + mark + text_width(wall_words);
@@ -47,7 +47,7 @@ void Annotations::claim(Needs& needs, double foreshortened) const {
 void Annotations::place(vtkRenderer* renderer, const Layout& layout, double foreshortened, Rgb ink) {
   overlay_.emplace(renderer);
   if (look_.show_caption) {
-    const std::string words = shortened(caption_text(run_), layout.caption.width / layout.font + 0.01);
+    const std::string words = shortened(caption_, layout.caption.width / layout.font + 0.01);
     overlay_->text(words, layout.caption.x, middle(layout.caption), layout.font, Align::left, ink);
   }
   if (look_.show_clock)

@@ -7,11 +7,15 @@
 
 namespace seiche::render {
 
+/// What a picture of one run is headed: scene, kernel, spacing.
+std::string caption_of(const RunInfo& run);
+
 /// The words around the tank: caption, clock, ruler, and the key to the marks.
 class Annotations {
  public:
   /// `ruler`: its length [m].
-  Annotations(const RunInfo& run, const Look& look, double ruler) : run_(run), look_(look), ruler_(ruler) {}
+  Annotations(const RunInfo& run, const Look& look, std::string caption, double ruler)
+      : run_(run), look_(look), caption_(std::move(caption)), ruler_(ruler) {}
 
   /// Fills in what they take up. The ruler's edge of the tank is seen `foreshortened` times its length.
   void claim(Needs& needs, double foreshortened) const;
@@ -27,6 +31,7 @@ class Annotations {
 
   RunInfo run_;
   Look look_;
+  std::string caption_;
   double ruler_;
   std::optional<Overlay> overlay_;
   vtkTextActor* clock_ = nullptr;  // owned by the overlay

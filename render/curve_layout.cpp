@@ -40,7 +40,7 @@ double curve_strip(const Needs& needs, double font) {
   const Common all = common(needs.curves, needs.width - 2 * layout_pad * font, font);
   if (all.slot - all.left - all.right < narrowest * font) return 0;
   const double rows = all.head + (tick_row + below) * font;
-  return rows + std::clamp(0.16 * needs.height, 3.2 * font, 9 * font);
+  return rows + std::clamp(needs.plot * needs.height, 3.2 * font, 9 * font / needs.font);
 }
 
 std::vector<CurvePlace> lay_out_curves(const std::vector<CurveNeeds>& needs, const Box& strip, double font) {

@@ -9,10 +9,10 @@
 namespace seiche::render {
 namespace {
 
-double font_height(int width, int height) {
+double font_height(const Needs& needs) {
   constexpr double of_720p = 21;
-  const double across = width / 1280.0, up = height / 720.0;
-  return std::max(9.0, of_720p * std::min({std::sqrt(across * up), 1.4 * across, 1.6 * up}));
+  const double across = needs.width / 1280.0, up = needs.height / 720.0;
+  return std::max(9.0, needs.font * of_720p * std::min({std::sqrt(across * up), 1.4 * across, 1.6 * up}));
 }
 
 // Beside the tank: colours, ticks and labels under a title. Below it: title, colours, labels. Sizes in font heights.
@@ -36,24 +36,24 @@ Box upright_bar(const Box& view, double f) {
 // `floor`: height of what lies below [pixels].
 Layout lay_out(const Needs& needs, double floor, bool upright) {
   Layout out;
-  const double f = out.font = font_height(needs.width, needs.height);
+  const double f = out.font = font_height(needs);
   out.line = std::max(1.0, std::round(f / 10));
   out.bar_upright = upright;
   const BarRoom bar(needs, upright);
   const double pad = layout_pad * f, room_x = needs.width - 2 * pad, room_y = needs.height - floor - 2 * pad;
-  const double room_view_x = room_x - bar.across * f;
+  const double room_view_x = room_x - (bar.across + needs.gaps_across) * f;
 
   // The ruler's length depends on the scale and the scale on the rows' heights: what it can be at most is reserved.
   const double ruler_label = needs.ruler > 0 ? (needs.ruler_label + 0.6) * f : 0;
   const double longest_ruler = needs.ruler / needs.view_width * room_view_x + ruler_label;
   Row top{needs.caption * f, needs.clock * f, room_x, f}, bottom{longest_ruler, needs.key * f, room_x, f};
-  const double rows = top.height() + bottom.height() + bar.up * f;
+  const double rows = top.height() + bottom.height() + (bar.up + needs.gaps_up) * f;
   out.scale = std::min(room_view_x / needs.view_width, (room_y - rows) / needs.view_height);
-  out.view.width = needs.view_width * out.scale;
-  out.view.height = needs.view_height * out.scale;
+  out.view.width = needs.view_width * out.scale + needs.gaps_across * f;
+  out.view.height = needs.view_height * out.scale + needs.gaps_up * f;
 
   const double block = out.view.width + bar.across * f;
-  const double top_edge = floor + pad + (room_y + out.view.height + rows) / 2;
+  const double top_edge = floor + pad + (room_y + out.view.height + rows - needs.gaps_up * f) / 2;
   out.view.x = pad + (room_x - block) / 2;
   out.view.y = top_edge - top.height() - out.view.height;
 
@@ -86,7 +86,7 @@ constexpr double least_share = 0.55;  // that curves must leave of the tank's si
 }  // namespace
 
 Layout lay_out(const Needs& needs) {
-  const double f = font_height(needs.width, needs.height), strip = curve_strip(needs, f), pad = layout_pad * f;
+  const double f = font_height(needs), strip = curve_strip(needs, f), pad = layout_pad * f;
   const Layout alone = lay_out_above(needs, 0);
   if (strip == 0) return alone;
   Layout out = lay_out_above(needs, strip);

@@ -30,7 +30,10 @@ struct CurvePlace {
 /// What has to find its place. Widths of texts are in font heights; 0 leaves the item out.
 struct Needs {
   int width = 0, height = 0;               ///< of the picture [pixels]
+  double font = 1;                         ///< of the text, as part of what suits a picture of one run
+  double plot = 0.16;                      ///< height of the curves' plots, as part of the picture's
   double view_width = 0, view_height = 0;  ///< of what the camera must show [m]
+  double gaps_across = 0, gaps_up = 0;     ///< room within the view that isn't the camera's [font heights]
   double caption = 0, clock = 0, key = 0;
   double ruler = 0, ruler_label = 0;  ///< the ruler's length as the camera sees it [m]
   double bar_labels = 0, bar_title = 0;

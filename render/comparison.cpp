@@ -1,0 +1,164 @@
+#include "render/comparison.hpp"
+
+#include <fmt/format.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include "render/annotations.hpp"
+#include "render/camera.hpp"
+#include "render/compared_curves.hpp"
+#include "render/curve_strip.hpp"
+#include "render/deviation.hpp"
+#include "render/grid_layout.hpp"
+#include "render/panel.hpp"
+#include "render/pixels.hpp"
+#include "render/range.hpp"
+#include "render/scalar_bar.hpp"
+#include "render/window.hpp"
+
+namespace seiche::render {
+namespace {
+
+// The first curve with something to compare it with, whose deviation is told above each panel; null where there is
+// none.
+const SensorCurve* measured(const std::vector<SensorCurve>& curves) {
+  const auto found =
+      std::find_if(curves.begin(), curves.end(), [](const auto& curve) { return !curve.references.empty(); });
+  return found == curves.end() ? nullptr : &*found;
+}
+
+double note_width(const SensorCurve* curve) {
+  constexpr double wide = 0.0888;
+  return curve ? text_width(deviation_text(wide, curve->title, curve->references.front().label)) : 0;
+}
+
+std::string note_of(const SensorCurve* curve, std::size_t variant, double time) {
+  if (!curve) return "";
+  const Reference& reference = curve->references.front();
+  return deviation_text(deviation(curve->traces[variant].series, reference.series, time), curve->title,
+                        reference.label);
+}
+
+// What all panels show, so that they have one scale.
+View view_of(const std::vector<Variant>& variants, const Look& look, const std::vector<PanelFrame>& frames) {
+  Bounds all;
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    const Bounds room = room_of(variants[i].run, look, *frames[i].frame);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      all.low[axis] = std::min(all.low[axis], room.low[axis]);
+      all.high[axis] = std::max(all.high[axis], room.high[axis]);
+    }
+  }
+  return {variants.front().run.dimension, all};
+}
+
+// What the runs have in common.
+std::string caption_of(const std::vector<Variant>& variants) {
+  const RunInfo& first = variants.front().run;
+  const auto common = [&](auto RunInfo::*member) {
+    return std::all_of(variants.begin(), variants.end(),
+                       [&](const Variant& variant) { return variant.run.*member == first.*member; });
+  };
+  std::string caption = common(&RunInfo::name) ? first.name : "";
+  const auto add = [&](const std::string& words) { caption += (caption.empty() ? "" : " \u00b7 ") + words; };
+  if (common(&RunInfo::kernel)) add(first.kernel);
+  if (common(&RunInfo::spacing)) add(fmt::format("l\u2080 = {:.3g} mm", 1e3 * first.spacing));
+  return caption;
+}
+
+}  // namespace
+
+/// What stays between pictures.
+struct Comparison::Stage {
+  vtkSmartPointer<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> paper;  // under the panels, with all words
+  std::optional<Annotations> words;
+  std::vector<std::unique_ptr<Panel>> panels;
+  std::optional<ScalarBar> bar;
+  CurveStrip strip;
+  PixelReader pixels;
+
+  Stage(const std::vector<Variant>& variants, const Look& look, const std::vector<SensorCurve>& curves,
+        const std::vector<PanelFrame>& frames, Range range);
+};
+
+Comparison::Stage::Stage(const std::vector<Variant>& variants, const Look& look, const std::vector<SensorCurve>& curves,
+                         const std::vector<PanelFrame>& frames, Range range)
+    : strip(curves) {
+  const Palette colours = palette(look.background);
+  const Quantity quantity = quantity_of(look.quantity);
+  const View view = view_of(variants, look, frames);
+  RunInfo longest = variants.front().run;
+  for (const Variant& variant : variants) longest.end = std::max(longest.end, variant.run.end);
+  words.emplace(longest, look, caption_of(variants), round_below(0.25 * view.width()));
+  Needs needs{.width = look.width, .height = look.height, .view_width = view.width(), .view_height = view.height()};
+  words->claim(needs, view.foreshortening());
+  if (look.show_bar) {
+    needs.bar_labels = ScalarBar::label_width(quantity, range);
+    needs.bar_title = text_width(title_of(quantity));
+  }
+  strip.claim(needs);
+  std::vector<PanelNeeds> panel_needs;
+  const double note = note_width(measured(curves));
+  for (const Variant& variant : variants) panel_needs.push_back({Panel::label_width(variant.label), note});
+  const GridLayout layout = lay_out_grid(needs, panel_needs);
+  if (layout.panels.front().view.width < 8 || layout.panels.front().view.height < 8)
+    throw std::invalid_argument(fmt::format("a picture of {} x {} pixels is too small for {} panels", look.width,
+                                            look.height, variants.size()));
+
+  window = make_window(sharpness * look.width, sharpness * look.height);
+  window->SetAlphaBitPlanes(1);
+  window->SetNumberOfLayers(2);
+  window->AddRenderer(paper);
+  set_background(paper, look, colours.paper);
+  for (std::size_t i = 0; i < variants.size(); ++i)
+    panels.push_back(std::make_unique<Panel>(window, paper, variants[i], i, look, view, layout, colours));
+  if (look.show_bar) bar.emplace(paper, layout.around, quantity, ColourMap(look.colour_map), colours.ink);
+  words->place(paper, layout.around, view.foreshortening(), colours.ink);
+  strip.place(paper, layout.around, colours);
+}
+
+Comparison::Comparison(std::vector<Variant> variants, const Look& look) : variants_(std::move(variants)), look_(look) {
+  check_look(look_);
+  if (variants_.empty() || variants_.size() > most_panels)
+    throw std::invalid_argument(
+        fmt::format("{} runs in one picture; it has room for 1 to {}", variants_.size(), most_panels));
+  for (const Variant& variant : variants_)
+    if (variant.run.dimension != variants_.front().run.dimension)
+      throw std::invalid_argument("a 2-D and a 3-D run can't share a picture");
+  curves_ = compared_curves(variants_, look_);
+}
+
+Comparison::~Comparison() = default;
+
+void Comparison::record(std::size_t variant, const Readings& readings) {
+  for (SensorCurve& curve : curves_)
+    if (curve.traces[variant].column < variants_[variant].run.sensors.size()) render::record(curve, readings, variant);
+}
+
+Image Comparison::draw(double time, const std::vector<PanelFrame>& frames, Range range) {
+  if (!stage_) {
+    settle(curves_);
+    stage_ = std::make_unique<Stage>(variants_, look_, curves_, frames, range);
+  }
+  Range found{range.high, range.low};
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const bool broken = frames[i].ended && variants_[i].failed;
+    stage_->panels[i]->show(frames[i], range, broken ? "" : note_of(measured(curves_), i, time));
+    if (frames[i].ended) continue;
+    const Range pressures = fluid_range(*frames[i].frame, quantity_of(look_.quantity));
+    found = {std::min(found.low, pressures.low), std::max(found.high, pressures.high)};
+  }
+  if (stage_->bar) stage_->bar->show(range, found);
+  stage_->words->set_time(time);
+  stage_->strip.show(time);
+  stage_->window->Render();
+  return stage_->pixels.read(stage_->window);
+}
+
+}  // namespace seiche::render
