@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/check.hpp"
+#include "apps/compare/compare.hpp"
 #include "apps/exit_codes.hpp"
 #include "apps/flags.hpp"
 #include "apps/help.hpp"
@@ -28,6 +29,15 @@ void add_threads(CLI::App& verb, int& threads) {
       ->type_name("N");
 }
 
+// The flags that change a scene.
+void add_settings(CLI::App& verb, std::vector<Override>& overrides) {
+  add_set(verb, overrides, "set a key of the scene");
+  add_shorthand(verb, "--kernel", "method.kernel", overrides, "NAME");
+  add_shorthand(verb, "--spacing", "particles.spacing", overrides, "METRES");
+  add_shorthand(verb, "--end", "time.end", overrides, "SECONDS");
+  add_shorthand(verb, "--range", "look.range", overrides, "RANGE");
+}
+
 void add_run(CLI::App& app, RunRequest& request, int& code) {
   CLI::App* verb = app.add_subcommand("run", "Simulate a scene and write its pictures, movie and data")
                        ->group("Verbs")
@@ -35,16 +45,38 @@ void add_run(CLI::App& app, RunRequest& request, int& code) {
   verb->add_option("scene", request.scene, "scene file")->required()->type_name("SCENE");
   verb->add_option("-o,--output", request.folder, "folder for everything written; out/<scene name> if left out")
       ->type_name("DIR");
-  add_set(*verb, request.overrides, "set a key of the scene");
-  add_shorthand(*verb, "--kernel", "method.kernel", request.overrides, "NAME");
-  add_shorthand(*verb, "--spacing", "particles.spacing", request.overrides, "METRES");
-  add_shorthand(*verb, "--end", "time.end", request.overrides, "SECONDS");
-  add_shorthand(*verb, "--range", "look.range", request.overrides, "RANGE");
+  add_settings(*verb, request.overrides);
   add_threads(*verb, request.threads);
   verb->add_flag("--dry-run", request.dry_run, "print every key with its value, unit and range, and write nothing");
   verb->add_flag("--quiet", request.quiet, "print nothing but errors");
   verb->add_flag("--overwrite", request.overwrite, "replace an earlier run in the folder; other files there stay");
   verb->callback([&request, &code] { code = run(request); });
+}
+
+void add_compare(CLI::App& app, compare::Request& request, int& code) {
+  CLI::App* verb = app.add_subcommand("compare", "Run variants of a scene side by side, and show them under one clock")
+                       ->group("Verbs")
+                       ->footer(help::compare_footer);
+  verb->add_option("what", request.what, "a scene to vary, or folders of runs that are done")
+      ->required()
+      ->type_name("SCENE|DIR...");
+  verb->add_option("--vary", request.vary,
+                   "a key of the scene and the values that it takes; given several times: every combination")
+      ->type_name("KEY=VALUE,VALUE...")
+      ->allow_extra_args(false);
+  verb->add_option("-o,--output", request.folder,
+                   "folder for everything written; out/<scene>-compare if left out, for folders out/compare")
+      ->type_name("DIR");
+  add_settings(*verb, request.settings);
+  verb->add_option("--movie", request.movie, "kind of the movie")
+      ->check(CLI::IsMember({"mp4", "webm", "gif"}))
+      ->type_name("KIND")
+      ->capture_default_str();
+  verb->add_option("--size", request.size, "of pictures and movie")->type_name("WxH")->capture_default_str();
+  add_threads(*verb, request.threads);
+  verb->add_flag("--quiet", request.quiet, "print nothing but errors");
+  verb->add_flag("--overwrite", request.overwrite, "run all variants anew; other files in the folder stay");
+  verb->callback([&request, &code] { code = compare::compare(request); });
 }
 
 void add_check(CLI::App& app, std::string& scene) {
@@ -109,6 +141,7 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
 int parse(int argc, char** argv) {
   int code = done;
   RunRequest request;
+  compare::Request comparison;
   ReplayRequest drawing, encoding;
   validate::Request validation;
   std::string checked, picture;
@@ -119,6 +152,7 @@ int parse(int argc, char** argv) {
   app.set_version_flag("--version", fmt::format("seiche {}", version()));
   app.require_subcommand(1);
   add_run(app, request, code);
+  add_compare(app, comparison, code);
   add_render(app, drawing, code);
   add_movie(app, encoding, code);
   add_check(app, checked);

@@ -13,6 +13,8 @@ constexpr const char* program_footer = R"(Examples:
   seiche render out/quick --size 640x360  draw a run that is done again, without solving
   seiche movie out/quick -o quick.gif     make another movie of it
   seiche check scenes/quick.toml          look for mistakes, and say what would be simulated
+  seiche compare scenes/quick.toml --vary method.kernel=KF1,KF3
+                                          run variants side by side, and show them under one clock
   seiche kernels -o kernels.png           draw the kernel functions
   seiche validate --quick                 compare runs with theory and experiment
 
@@ -39,6 +41,22 @@ constexpr const char* run_footer = R"(Examples:
 The preset comes first, then the file's keys, then each --set in its order, then the other flags.
 The scene, the folder, OpenGL and the encoder are checked before anything is computed or written.
 Ctrl-C ends the run with the current frame and closes the movie; a second Ctrl-C ends it at once.)";
+
+constexpr const char* compare_footer = R"(Examples:
+  seiche compare scenes/pan2008-paper.toml --vary method.kernel=KF1,KF2,KF3,KF4,KF5 --spacing 0.01
+  seiche compare scenes/quick.toml --vary preset=stabilised,paper --vary particles.spacing=0.02,0.01
+  seiche compare out/mine out/theirs --range frame -o out/both
+
+Variants are run as many at a time as cores and memory allow; one that fails doesn't stop the others. Ctrl-C ends them
+all with their current frames. Of a scene compared before, variants that are done aren't run again.
+
+Writes, under out/<scene>-compare/ or the folder of -o:
+  compare.mp4           the movie: 1 to 9 panels under one clock, curves of all below them
+  frames/000123.png     its pictures
+  report.html           all of it on one page, with measures of each variant
+  KF3_spacing-0.01/     one folder per variant, as `seiche run` leaves it; without pictures, movie and page of its own,
+                        which --set output.pictures=true, output.movie=mp4 and output.report=true ask for
+Exits with 0 when each variant has finished or stopped with a report, with 1 if one could not be run.)";
 
 constexpr const char* render_footer = R"(Examples:
   seiche render out/quick --colour-map cividis --size 1920x1080

@@ -1,0 +1,208 @@
+#include "apps/compare/compare.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "apps/compare/drawing.hpp"
+#include "apps/compare/runs.hpp"
+#include "apps/exit_codes.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/report.hpp"
+#include "apps/run_info.hpp"
+#include "apps/signals.hpp"
+#include "apps/stopwatch.hpp"
+#include "render/file.hpp"
+#include "render/grid_layout.hpp"
+#include "render/outputs.hpp"
+
+namespace fs = std::filesystem;
+
+namespace seiche::apps::compare {
+namespace {
+
+constexpr const char* name = "compare";  // of the movie, and of the file that tells such a folder
+
+fs::path note_in(const fs::path& folder) { return folder / (std::string(name) + ".json"); }
+
+// A comparison may be made again in its folder; what else is in a folder stays untouched.
+void check_folder(const Request& request, const fs::path& folder) {
+  if (fs::exists(OutputFolder{folder, name}.record()))
+    throw BadFolder(fmt::format("{} is the folder of a run; choose another with -o DIR", folder.string()));
+  OutputFolder{folder, name}.check(request.overwrite || fs::exists(note_in(folder)));
+}
+
+render::Look with_size(render::Look look, const std::string& size) {
+  Scene scene;
+  if (const auto complaint = assign(*find_option("output", "size"), scene, Value(size)))
+    throw std::invalid_argument(fmt::format("--size {}: {}", size, *complaint));
+  look.width = scene.look.width;
+  look.height = scene.look.height;
+  return look;
+}
+
+void check_pictures(const Request& request, const render::Look& look, const fs::path& folder) {
+  render::check_look(look);
+  render::check_movie(OutputFolder{folder, name}.movie(request.movie), look.width, look.height);
+  render::gl_description();
+}
+
+void write_note(const fs::path& folder, const std::vector<std::pair<std::string, fs::path>>& runs) {
+  nlohmann::ordered_json json{{"seiche", version()}, {"runs", nlohmann::ordered_json::array()}};
+  for (const auto& [label, place] : runs) json["runs"].push_back({{"label", label}, {"folder", place.string()}});
+  render::write_file(note_in(folder), json.dump(2) + "\n");
+}
+
+// One page of all runs, with the movie and pictures that have been drawn.
+void report(const std::vector<ComparedRun>& runs, const OutputFolder& files, const std::string& movie) {
+  Report page{.title = fmt::format("{}, compared", runs.front().run.scene.name), .runs = {}, .movie = {}, .stills = {}};
+  for (const ComparedRun& each : runs) page.runs.push_back({each.run, each.label, each.readings});
+  page.movie = files.movie(movie);
+  const Clock clock = clock_of(runs);
+  page.stills = even_stills(stored_pictures({files.path, {}, {}, {}}), clock.interval,
+                            clock.interval * static_cast<double>(clock.last));
+  write_report(files.report(), page);
+}
+
+// What comes after the runs: pictures, movie, and the last words.
+int show(const Request& request, const std::vector<ComparedRun>& runs, const render::Look& look, const fs::path& folder,
+         const SignalWatch& signals, const Stopwatch& watch) {
+  const OutputFolder files{folder, name};
+  files.prepare();
+  Board board(Progress::suitable(request.quiet));
+  const Stopwatch drawing;
+  const auto told = [&](long number, long last) {
+    Lane lane{.label = "pictures", .state = Lane::State::running, .form = "{:.0f}/{:.0f}", .verdict = {}};
+    lane.time = static_cast<double>(number + 1);
+    lane.end = static_cast<double>(last + 1);
+    board.show({lane}, drawing.seconds());
+    return !signals.caught();
+  };
+  const bool whole = draw(runs, look, {files.frames(), files.movie(request.movie)}, told);
+  if (whole) report(runs, files, request.movie);
+  if (!request.quiet) {
+    fmt::print("{} after {}\n  movie     {}\n  pictures  {}\n", whole ? "Done" : "Interrupted",
+               clock_text(watch.seconds()), files.movie(request.movie).string(), (files.frames() / "").string());
+    if (whole) fmt::print("  report    {}\n", files.report().string());
+  }
+  return whole ? done : interrupted;
+}
+
+int compare_scene(const Request& request) {
+  const std::string& scene = request.what.front();
+  const fs::path folder =
+      request.folder.empty() ? fs::path("out") / (fs::path(scene).stem().string() + "-compare") : request.folder;
+  const auto runs = plan(scene, request.vary, request.settings, folder);
+  const render::Look look = with_size(runs.front().scene.look, request.size);
+  check_folder(request, folder);
+  check_pictures(request, look, folder);
+
+  const Stopwatch watch;
+  const SignalWatch signals;
+  std::vector<std::pair<std::string, fs::path>> places;
+  for (const PlannedRun& run : runs) places.emplace_back(run.label, run.folder.filename());
+  write_note(folder, places);
+  Board board(Progress::suitable(request.quiet));
+  const int threads = request.threads > 0 ? request.threads : omp_get_num_procs();
+  const Outcome outcome = run_all(runs, threads, request.overwrite, board, [&] { return signals.caught(); });
+  for (const std::string& trouble : outcome.troubles) fmt::print(stderr, "seiche: {}\n", trouble);
+  if (outcome.interrupted) {
+    if (!request.quiet)
+      fmt::print("Interrupted after {}; what is done is kept for the next time\n", clock_text(watch.seconds()));
+    return interrupted;
+  }
+  std::vector<ComparedRun> shown;
+  for (const PlannedRun& run : runs) {
+    try {
+      shown.push_back(compared(run.label, read_run(run.folder)));
+    } catch (const BadFolder&) {
+      if (outcome.troubles.empty()) throw;  // else it has been told why it isn't there
+    }
+  }
+  if (shown.empty()) return failed;
+  const int code = show(request, shown, look, folder, signals, watch);
+  return code == done && !outcome.troubles.empty() ? failed : code;
+}
+
+// Names that tell the runs apart: by what differs in their scenes if that is little, else by their folders.
+std::vector<std::string> labels_of(const std::vector<StoredRun>& runs) {
+  constexpr std::size_t little = 3;
+  std::vector<const Scene*> scenes;
+  for (const StoredRun& run : runs) scenes.push_back(&run.scene);
+  const auto keys = differences(scenes);
+  std::vector<std::string> labels, folders, paths;
+  for (const StoredRun& run : runs) {
+    labels.push_back(label_of(run.scene, keys));
+    folders.push_back(fs::absolute(run.folder).lexically_normal().filename().string());
+    paths.push_back(run.folder.string());
+  }
+  const auto differ = [&](const std::vector<std::string>& names) {
+    return std::set<std::string>(names.begin(), names.end()).size() == names.size();
+  };
+  if (!keys.empty() && keys.size() <= little && differ(labels)) return labels;
+  return differ(folders) ? folders : paths;
+}
+
+// Keys of the picture may be set anew; the rest of a run that is done can't be.
+render::Look look_of(const Request& request, const StoredRun& first) {
+  Scene scene = first.scene;
+  const Settings settings = override_settings(request.settings);
+  for (const Complaint& complaint : settings.complaints) throw std::invalid_argument(complaint.message);
+  for (const Setting& setting : settings.good) {
+    if (setting.option->section != "look")
+      throw std::invalid_argument(
+          fmt::format("{}: these runs are done; only keys of [look] can be set", setting.origin));
+    if (const auto complaint = assign(*setting.option, scene, setting.value))
+      throw std::invalid_argument(fmt::format("{}: {}", setting.origin, *complaint));
+  }
+  if (!settings.lists.empty())
+    throw std::invalid_argument("a list can't be set for runs that are done; only keys of [look] can be");
+  return with_size(scene.look, request.size);
+}
+
+int compare_folders(const Request& request) {
+  if (!request.vary.empty())
+    throw std::invalid_argument(
+        fmt::format("--vary {}: these runs are done; give a scene to vary it", request.vary.front()));
+  if (request.what.size() > render::most_panels)
+    throw std::invalid_argument(
+        fmt::format("{} runs are too many; a picture has room for {}", request.what.size(), render::most_panels));
+  std::vector<StoredRun> stored;
+  for (const std::string& folder : request.what) stored.push_back(read_run(folder));
+  const render::Look look = look_of(request, stored.front());
+  const auto labels = labels_of(stored);
+  std::vector<ComparedRun> runs;
+  std::vector<std::pair<std::string, fs::path>> places;
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    if (stored[i].info.dimension != stored.front().info.dimension)
+      throw std::invalid_argument(fmt::format("{} is a {}-D run and {} a {}-D one; they can't share a picture",
+                                              request.what[i], stored[i].info.dimension, request.what.front(),
+                                              stored.front().info.dimension));
+    runs.push_back(compared(labels[i], std::move(stored[i])));
+    places.emplace_back(labels[i], runs.back().run.folder);
+  }
+  const fs::path folder = request.folder.empty() ? fs::path("out") / name : request.folder;
+  check_folder(request, folder);
+  check_pictures(request, look, folder);
+  const Stopwatch watch;
+  const SignalWatch signals;
+  write_note(folder, places);
+  return show(request, runs, look, folder, signals, watch);
+}
+
+}  // namespace
+
+int compare(const Request& request) {
+  if (fs::is_directory(request.what.front())) return compare_folders(request);
+  if (request.what.size() > 1)
+    throw std::invalid_argument(fmt::format(
+        "{} is no folder of a run; give one scene with --vary, or folders of runs alone", request.what.front()));
+  if (request.vary.empty())
+    throw std::invalid_argument("nothing varies; give --vary KEY=VALUE,VALUE, as in --vary method.kernel=KF1,KF3");
+  return compare_scene(request);
+}
+
+}  // namespace seiche::apps::compare

@@ -1,0 +1,170 @@
+#include "apps/compare/drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "apps/compare/runs.hpp"
+#include "apps/output_folder.hpp"
+#include "render/outputs.hpp"
+#include "render/range.hpp"
+#include "render/read_vtu.hpp"
+
+namespace seiche::apps::compare {
+namespace {
+
+constexpr double slack = 1e-6;  // of a frame interval: times are rounded in their list
+
+bool has_failed(const ComparedRun& run) {
+  return run.run.record.ending && run.run.record.ending->status == Ending::Status::failed;
+}
+
+double last_time(const ComparedRun& run) { return run.frames.back().time; }
+
+// What a picture of all says of where it comes from.
+RunInfo info_of_all(const std::vector<ComparedRun>& runs, double interval) {
+  RunInfo info = runs.front().run.info;
+  info.frame_interval = interval;
+  std::string hashes, names;
+  for (const ComparedRun& each : runs) {
+    hashes += (hashes.empty() ? "" : " ") + each.run.info.scene_hash;
+    names += (names.empty() ? "" : "; ") + each.label;
+    info.end = std::max(info.end, each.run.info.end);
+  }
+  info.parameters = fmt::format("# compared: {}\n# those of the first:\n{}", names, info.parameters);
+  info.scene_hash = hashes;
+  return info;
+}
+
+// The frames of one run, each read when its time comes.
+class Reel {
+ public:
+  explicit Reel(const ComparedRun& run) : run_(run) {}
+
+  render::PanelFrame at(double time, double interval) {
+    const std::size_t number = frame_at(run_, time);
+    if (!frame_ || number != number_) {
+      const StoredFrame& stored = run_.frames[number];
+      frame_ = std::make_shared<const Frame>(render::read_vtu(stored.file, stored.index));
+      number_ = number;
+    }
+    return {frame_, time > last_time(run_) + slack * interval};
+  }
+
+ private:
+  const ComparedRun& run_;
+  std::size_t number_ = 0;
+  FramePtr frame_;
+};
+
+render::Range united(const std::optional<render::Range>& a, render::Range b) {
+  return a ? render::Range{std::min(a->low, b.low), std::max(a->high, b.high)} : b;
+}
+
+// Of all pictures; nothing where each has its own. A run that blows up would leave no colour for the others.
+std::optional<render::Range> common_range(const std::vector<ComparedRun>& runs, const render::Look& look) {
+  if (const auto given = render::parse_range(look.range)) return given;
+  const render::Quantity quantity = render::quantity_of(look.quantity);
+  const bool all = std::all_of(runs.begin(), runs.end(), has_failed);
+  std::optional<render::Range> range;
+  for (const ComparedRun& run : runs) {
+    if (const auto fixed = render::fixed_range(run.run.info, look)) {
+      range = united(range, *fixed);
+    } else if (look.range == "run" && (all || !has_failed(run))) {
+      for (const StoredFrame& each : run.frames)
+        range = united(range, render::rounded(render::fluid_range(render::read_vtu(each.file, each.index), quantity)));
+    }
+  }
+  return range;
+}
+
+// Of one picture, by those that still go on.
+render::Range range_of(const std::vector<render::PanelFrame>& frames, render::Quantity quantity) {
+  const bool all = std::all_of(frames.begin(), frames.end(), [](const auto& each) { return each.ended; });
+  std::optional<render::Range> range;
+  for (const render::PanelFrame& each : frames)
+    if (all || !each.ended) range = united(range, render::fluid_range(*each.frame, quantity));
+  return render::rounded(*range);
+}
+
+}  // namespace
+
+ComparedRun compared(std::string label, StoredRun run) {
+  ComparedRun all{std::move(label), std::move(run), {}, {}};
+  all.frames = stored_frames(all.run);
+  if (all.frames.empty())
+    throw BadFolder(fmt::format("{} has no VTU files, from which its pictures are drawn; run it with output.vtu = true",
+                                all.run.folder.string()));
+  for (const StoredFrame& frame : all.frames)
+    if (!std::filesystem::exists(frame.file))
+      throw BadFolder(fmt::format("{} isn't there, though the run lists it; run it again", frame.file.string()));
+  all.readings = stored_readings(all.run);
+  return all;
+}
+
+Clock clock_of(const std::vector<ComparedRun>& runs) {
+  Clock clock{runs.front().run.info.frame_interval, 0};
+  for (const ComparedRun& each : runs) clock.interval = std::min(clock.interval, each.run.info.frame_interval);
+  for (const ComparedRun& each : runs) {
+    const auto frames = static_cast<long>(std::ceil(last_time(each) / clock.interval - slack));
+    clock.last = std::max(clock.last, frames + (has_failed(each) ? 1 : 0));
+  }
+  return clock;
+}
+
+std::size_t frame_at(const ComparedRun& run, double time) {
+  const double latest = time + slack * run.run.info.frame_interval;
+  const auto after = std::upper_bound(run.frames.begin(), run.frames.end(), latest,
+                                      [](double t, const StoredFrame& frame) { return t < frame.time; });
+  return after == run.frames.begin() ? 0 : static_cast<std::size_t>(after - run.frames.begin()) - 1;
+}
+
+render::Variant variant_of(const ComparedRun& run, double end) {
+  render::Variant variant{run.run.info, run.label, {}, has_failed(run)};
+  const auto& ending = run.run.record.ending;
+  if (!ending)
+    variant.message = {fmt::format("unfinished: ends at {:.3g} s", last_time(run))};
+  else if (ending->status != Ending::Status::finished)
+    variant.message = verdict_of(*ending);
+  else if (last_time(run) < end)
+    variant.message = {fmt::format("ends at {:.3g} s", last_time(run))};
+  return variant;
+}
+
+bool draw(const std::vector<ComparedRun>& runs, const render::Look& look, const Pictures& pictures,
+          const std::function<bool(long, long)>& told) {
+  const Clock clock = clock_of(runs);
+  const double end = clock.interval * static_cast<double>(clock.last);
+  std::vector<render::Variant> variants;
+  std::vector<Reel> reels;
+  for (const ComparedRun& each : runs) {
+    variants.push_back(variant_of(each, end));
+    reels.emplace_back(each);
+  }
+  render::Comparison comparison(std::move(variants), look);
+  for (std::size_t i = 0; i < runs.size(); ++i) comparison.record(i, runs[i].readings);
+  const auto fixed = common_range(runs, look);
+  const std::unique_ptr<render::ImageSink> takers[] = {render::on_thread(render::png_series(pictures.frames)),
+                                                       render::on_thread(render::movie(pictures.movie))};
+  const RunInfo info = info_of_all(runs, clock.interval);
+  for (const auto& taker : takers) taker->begin(info, look.width, look.height);
+  bool going = true;
+  for (long number = 0; going && number <= clock.last; ++number) {
+    Frame now;
+    now.index = number;
+    now.time = clock.interval * static_cast<double>(number);
+    std::vector<render::PanelFrame> frames;
+    for (Reel& reel : reels) frames.push_back(reel.at(now.time, clock.interval));
+    const render::Image image =
+        comparison.draw(now.time, frames, fixed ? *fixed : range_of(frames, render::quantity_of(look.quantity)));
+    for (const auto& taker : takers) taker->image(image, now);
+    going = told(number, clock.last) || number == clock.last;
+  }
+  for (const auto& taker : takers) taker->end();
+  return going;
+}
+
+}  // namespace seiche::apps::compare

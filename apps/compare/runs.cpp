@@ -1,0 +1,164 @@
+#include "apps/compare/runs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "apps/compare/process.hpp"
+#include "apps/exit_codes.hpp"
+#include "apps/stopwatch.hpp"
+#include "apps/stored_run.hpp"
+
+namespace seiche::apps::compare {
+namespace {
+
+constexpr std::chrono::milliseconds patience{100};  // between two looks at the runs
+
+std::vector<std::string> command(const PlannedRun& run, int threads) {
+  std::vector<std::string> words{"seiche", "run", run.scene.file};
+  for (const Override& each : run.settings) words.insert(words.end(), {"--set", each.key + "=" + each.value});
+  words.insert(words.end(),
+               {"--threads", fmt::format("{}", threads), "-o", run.folder.string(), "--quiet", "--overwrite"});
+  return words;
+}
+
+// How far a run has come by its list of frames; as it was where that can't be read.
+double reached(const PlannedRun& run, double before) {
+  try {
+    const auto frames = stored_frames({run.folder, run.scene, {}, {}});
+    return frames.empty() ? before : frames.back().time;
+  } catch (const BadFolder&) {
+    return before;
+  }
+}
+
+// What its report says; nothing where it didn't come to one.
+std::optional<Ending> ending_of(const PlannedRun& run, int code = done) {
+  if (code != done && code != failed && code != interrupted) return {};
+  try {
+    return read_run(run.folder).record.ending;
+  } catch (const BadFolder&) {
+    return {};
+  }
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+// The runs at work, each with its lane on the board.
+class Team {
+ public:
+  Team(const std::vector<PlannedRun>& runs, bool again) : runs_(runs), processes_(runs.size()) {
+    for (const PlannedRun& run : runs) {
+      lanes_.push_back({.label = run.label, .end = run.scene.parameters.time.end, .verdict = {}});
+      if (again || !is_done(run)) continue;
+      lanes_.back().state = Lane::State::over;
+      lanes_.back().verdict = fmt::format("{}; done before", fmt::join(verdict_of(*ending_of(run)), ": "));
+    }
+  }
+
+  const std::vector<Lane>& lanes() const { return lanes_; }
+
+  std::size_t waiting() const { return count(Lane::State::waiting); }
+  std::size_t at_work() const { return count(Lane::State::running); }
+
+  // Of the largest run that waits [bytes].
+  double memory() const {
+    double largest = 0;
+    for (std::size_t i = 0; i < runs_.size(); ++i)
+      if (lanes_[i].state == Lane::State::waiting) largest = std::max(largest, memory_of(runs_[i].scene));
+    return largest;
+  }
+
+  void start_next(int threads) {
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      if (lanes_[i].state != Lane::State::waiting) continue;
+      processes_[i] = std::make_unique<Process>("/proc/self/exe", command(runs_[i], threads));
+      lanes_[i].state = Lane::State::running;
+      return;
+    }
+  }
+
+  void look(Outcome& outcome) {
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      Lane& lane = lanes_[i];
+      if (lane.state != Lane::State::running) continue;
+      if (!processes_[i]->exit_code()) {
+        lane.time = reached(runs_[i], lane.time);
+        continue;
+      }
+      lane.state = Lane::State::over;
+      if (const auto ending = ending_of(runs_[i], *processes_[i]->exit_code())) {
+        lane.verdict = fmt::format("{}", fmt::join(verdict_of(*ending), ": "));
+      } else {
+        const std::string why = first_line(processes_[i]->errors());
+        lane.verdict = fmt::format("could not be run: {}",
+                                   why.empty() ? fmt::format("it ended with {}", *processes_[i]->exit_code()) : why);
+        outcome.troubles.push_back(fmt::format("{} {}", lane.label, lane.verdict));
+      }
+      processes_[i].reset();
+    }
+  }
+
+  void end_all() {
+    for (const auto& process : processes_)
+      if (process) process->signal(SIGINT);
+  }
+
+ private:
+  std::size_t count(Lane::State state) const {
+    return static_cast<std::size_t>(
+        std::count_if(lanes_.begin(), lanes_.end(), [&](const Lane& lane) { return lane.state == state; }));
+  }
+
+  const std::vector<PlannedRun>& runs_;
+  std::vector<Lane> lanes_;
+  std::vector<std::unique_ptr<Process>> processes_;  // of those at work
+};
+
+}  // namespace
+
+std::vector<std::string> verdict_of(const Ending& ending) {
+  switch (ending.status) {
+    case Ending::Status::finished:
+      return {fmt::format("finished at {:.4g} s", ending.time)};
+    case Ending::Status::interrupted:
+      return {fmt::format("interrupted at {:.3f} s", ending.time)};
+    case Ending::Status::failed:
+      break;
+  }
+  // Of "stopped at t = 0.0190 s, step 36: the speed ... (fluid particle 550 at ...)" what is between.
+  std::string why = ending.reason;
+  if (const auto colon = why.find(": "); why.starts_with("stopped at t = ") && colon != std::string::npos)
+    why.erase(0, colon + 2);
+  if (const auto bracket = why.find(" ("); bracket != std::string::npos) why.erase(bracket);
+  return {fmt::format("stopped at {:.3f} s", ending.time), why};
+}
+
+Outcome run_all(const std::vector<PlannedRun>& runs, int threads, bool again, Board& board,
+                const std::function<bool()>& stop) {
+  const Stopwatch watch;
+  Outcome outcome;
+  Team team(runs, again);
+  const int most = runs_at_a_time(team.waiting(), threads, team.memory(), free_memory());
+  while (true) {
+    if (stop() && !outcome.interrupted) {
+      outcome.interrupted = true;
+      team.end_all();
+      board.say("Ending all runs with their current frames (Ctrl-C: at once)");
+    }
+    while (!outcome.interrupted && team.at_work() < static_cast<std::size_t>(most) && team.waiting() > 0)
+      team.start_next(threads / most);
+    team.look(outcome);
+    board.show(team.lanes(), watch.seconds());
+    if (team.at_work() == 0 && (outcome.interrupted || team.waiting() == 0)) return outcome;
+    std::this_thread::sleep_for(patience);
+  }
+}
+
+}  // namespace seiche::apps::compare

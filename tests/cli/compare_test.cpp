@@ -1,0 +1,162 @@
+// Comparisons of small scenes: what they run, write and say.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+#include "tests/unit/apps/files.hpp"
+
+namespace fs = std::filesystem;
+
+namespace seiche::test {
+namespace {
+
+const std::string quick = SEICHE_SCENES "/quick.toml";
+
+std::vector<std::string> compare(std::vector<std::string> more) {
+  std::vector<std::string> all{"compare", quick,    "--vary", "method.kernel=KF2,KF3", "--set", "preset=paper", "--end",
+                               "0.2",     "--size", "640x360"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+nlohmann::json report_in(const fs::path& folder) { return nlohmann::json::parse(read_file(folder / "run.json")); }
+
+long files_in(const fs::path& folder) {
+  return fs::exists(folder) ? std::distance(fs::directory_iterator(folder), fs::directory_iterator()) : 0;
+}
+
+std::string movie_of(const fs::path& file) {
+  return output_of("ffprobe -v error -count_frames -show_entries stream=width,height,nb_read_frames -of csv=p=0 " +
+                   file.string());
+}
+
+TEST(Compare, TwoKernelsEndInOneMovieThoughOneFails) {
+  const Scratch scratch;
+  const Result result = seiche(scratch.folder(), compare({}));
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_NE(result.out.find("KF2    stopped at 0."), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("KF3    finished at 0.2 s\n"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("  movie     out/quick-compare/compare.mp4\n"), std::string::npos) << result.out;
+  const fs::path out = scratch / "out/quick-compare";
+  EXPECT_EQ(movie_of(out / "compare.mp4"), "640,360,6\n");
+  EXPECT_EQ(files_in(out / "frames"), 6);
+  const std::string page = read_file(out / "report.html");
+  for (const char* text : {"<html", "KF2", "KF3", "</html>"}) EXPECT_NE(page.find(text), std::string::npos) << text;
+  EXPECT_FALSE(fs::exists(out / "KF3/report.html"));
+  EXPECT_EQ(report_in(out / "KF2")["run"]["status"], "failed");
+  EXPECT_EQ(report_in(out / "KF3")["run"]["status"], "finished");
+  EXPECT_EQ(files_in(out / "KF3/vtu"), 6);
+  EXPECT_FALSE(fs::exists(out / "KF3/frames"));
+  EXPECT_FALSE(fs::exists(out / "KF3/quick.mp4"));
+}
+
+TEST(Compare, WhatIsDoneIsNotRunAgainUnlessAskedTo) {
+  const Scratch scratch;
+  ASSERT_EQ(seiche(scratch.folder(), compare({"--quiet"})).code, 0);
+  const fs::path out = scratch / "out/quick-compare", report = out / "KF3/run.json";
+  const std::string before = read_file(report);
+  write_text(out / "notes.txt", "mine");
+
+  const Result again = seiche(scratch.folder(), compare({"--range", "frame", "--movie", "gif"}));
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_NE(again.out.find("KF3    finished at 0.2 s; done before\n"), std::string::npos) << again.out;
+  EXPECT_EQ(read_file(report), before);
+  EXPECT_TRUE(fs::exists(out / "compare.gif"));
+  EXPECT_FALSE(fs::exists(out / "compare.mp4"));
+  EXPECT_EQ(read_file(out / "notes.txt"), "mine");
+
+  const Result other = seiche(scratch.folder(), compare({"--end", "0.12"}));
+  EXPECT_EQ(other.code, 0) << other.err;
+  EXPECT_EQ(other.out.find("done before"), std::string::npos) << other.out;
+  EXPECT_EQ(files_in(out / "frames"), 4);
+}
+
+TEST(Compare, FoldersOfRunsOfDifferentLengths) {
+  const Scratch scratch;
+  for (const auto& [folder, end] : {std::pair{"long", "0.2"}, {"short", "0.08"}})
+    ASSERT_EQ(seiche(scratch.folder(), {"run", quick, "--end", end, "-o", folder, "--quiet", "--set",
+                                        "output.pictures=false", "--set", "output.movie=none"})
+                  .code,
+              0);
+  const std::string before = read_file(scratch / "short/run.json");
+  const Result result =
+      seiche(scratch.folder(), {"compare", "long", "short", "--size", "640x360", "-o", "both", "--quiet"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.out + result.err, "");
+  EXPECT_EQ(movie_of(scratch / "both/compare.mp4"), "640,360,6\n");
+  EXPECT_EQ(read_file(scratch / "short/run.json"), before);
+}
+
+TEST(Compare, TwiceTheSameGivesTheSamePictures) {
+  const Scratch scratch;
+  for (const char* folder : {"one", "two"})
+    ASSERT_EQ(seiche(scratch.folder(), compare({"--quiet", "--end", "0.08", "-o", folder})).code, 0);
+  for (const char* file : {"compare.mp4", "compare.json", "frames/000001.png"})
+    EXPECT_TRUE(read_file(scratch / "one" / file) == read_file(scratch / "two" / file)) << file;
+}
+
+TEST(Compare, BadInputIsRefusedBeforeAnythingIsRunOrWritten) {
+  const Scratch scratch;
+  const auto error_of = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "compare");
+    const Result result = seiche(scratch.folder(), arguments);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_FALSE(fs::exists(scratch / "out"));
+    return result.err;
+  };
+  EXPECT_EQ(error_of({quick}),
+            "seiche: nothing varies; give --vary KEY=VALUE,VALUE, as in --vary method.kernel=KF1,KF3\n");
+  EXPECT_EQ(error_of({quick, "--vary", "method.kernl=KF1"}),
+            "seiche: --vary method.kernl=KF1: 'method.kernl' is no key of a scene; did you mean 'method.kernel'?\n");
+  EXPECT_EQ(error_of({quick, "--vary", "method.kernel=KF1,KF9"}),
+            "--vary method.kernel=KF9: [method] kernel = 'KF9' is none of its choices; expected one of KF1, KF2, KF3, "
+            "KF4, KF5\n");
+  EXPECT_EQ(error_of({quick, "--vary", "method.kernel=KF1,KF2,KF3,KF4,KF5", "--vary", "preset=paper,stabilised"}),
+            "seiche: 10 variants are too many; a picture has room for 9\n");
+  EXPECT_EQ(error_of({quick, "--vary", "method.kernel=KF1", "--size", "641x360"}),
+            "seiche: .mp4 needs an even width and height, not 641 x 360; change the size or write a .gif\n");
+  EXPECT_EQ(error_of({"nowhere", "else"}),
+            "seiche: nowhere is no folder of a run; give one scene with --vary, or folders of runs alone\n");
+  fs::create_directory(scratch / "empty");
+  EXPECT_EQ(error_of({"empty"}), "seiche: empty is empty; expected the folder of a run, as `seiche run` leaves it\n");
+  write_text(scratch / "half/run.json", "{\"seiche\":");
+  EXPECT_EQ(error_of({"half"}).substr(0, 37), "seiche: half/run.json can't be used: ");
+  EXPECT_EQ(error_of({quick, "--vary", "method.kernel=KF1", "-o", "half"}),
+            "seiche: half is the folder of a run; choose another with -o DIR\n");
+  write_text(scratch / "mine/notes.txt", "mine");
+  EXPECT_NE(error_of({quick, "--vary", "method.kernel=KF1", "-o", "mine"}).find("mine exists and isn't empty"),
+            std::string::npos);
+  EXPECT_EQ(files_in(scratch / "mine"), 1);
+}
+
+TEST(Compare, AVariantThatCannotBeRunIsToldAndTheOthersAreShown) {
+  const Scratch scratch;
+  write_text(scratch / "out/KF2", "a file where its folder should be");
+  const Result result = seiche(scratch.folder(), compare({"-o", "out", "--overwrite"}));
+  EXPECT_EQ(result.code, 1);
+  EXPECT_NE(result.err.find("KF2 could not be run: seiche: "), std::string::npos) << result.err;
+  EXPECT_EQ(movie_of(scratch / "out/compare.mp4"), "640,360,6\n");
+}
+
+TEST(Compare, CtrlCEndsAllVariantsCleanly) {
+  const Scratch scratch;
+  Program program(scratch.folder(), {"compare", quick, "--vary", "method.kernel=KF1,KF3,KF4", "--end", "40",
+                                     "--threads", "2", "--size", "640x360"});
+  ASSERT_TRUE(program.wait_for("10 %"));
+  program.signal(SIGINT);
+  const Result result = program.wait();
+  EXPECT_EQ(result.code, 130) << result.err;
+  EXPECT_NE(result.out.find("Interrupted after "), std::string::npos) << result.out;
+  const fs::path out = scratch / "out/quick-compare";
+  const nlohmann::json run = report_in(out / "KF1")["run"];
+  EXPECT_EQ(run["status"], "interrupted");
+  EXPECT_EQ(files_in(out / "KF1/vtu"), run["frames"]);
+  EXPECT_FALSE(fs::exists(out / "compare.mp4"));
+}
+
+}  // namespace
+}  // namespace seiche::test

@@ -1,0 +1,140 @@
+#include "apps/compare/drawing.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "apps/compare/runs.hpp"
+#include "apps/csv.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/probes_csv.hpp"
+#include "apps/run_info.hpp"
+#include "render/compared_curves.hpp"
+#include "render/outputs.hpp"
+#include "tests/unit/apps/files.hpp"
+#include "tests/unit/render/synthetic_curves.hpp"
+
+namespace seiche::apps::compare {
+namespace {
+
+using test::Scratch;
+using test::write_text;
+using Status = Ending::Status;
+
+// A run with a frame at each interval up to a time.
+ComparedRun run_until(double time, double interval, Status status = Status::finished) {
+  ComparedRun run;
+  run.run.info.frame_interval = interval;
+  run.run.info.end = 10;
+  run.run.record.ending = Ending{status, "stopped at t = 1.0500 s, step 7: it leaks (particle 3)", 0, time, 0};
+  for (long k = 0; static_cast<double>(k) * interval < time + 1e-9; ++k)
+    run.frames.push_back({k, static_cast<double>(k) * interval, "x.vtu"});
+  return run;
+}
+
+TEST(Clock, RunsInTheShortestIntervalUntilTheLongestRunEnds) {
+  const Clock clock = clock_of({run_until(2, 0.04), run_until(3, 0.02), run_until(1, 0.1)});
+  EXPECT_EQ(clock.interval, 0.02);
+  EXPECT_EQ(clock.last, 150);
+}
+
+TEST(Clock, ShowsAFailureForOnePictureAtLeast) {
+  EXPECT_EQ(clock_of({run_until(1, 0.1), run_until(1, 0.1, Status::failed)}).last, 11);
+}
+
+TEST(FrameAt, IsTheLastOneUpToThen) {
+  const ComparedRun run = run_until(1, 0.1);
+  EXPECT_EQ(frame_at(run, 0), 0u);
+  EXPECT_EQ(frame_at(run, 0.3), 3u);
+  EXPECT_EQ(frame_at(run, 0.1 * 3), 3u);
+  EXPECT_EQ(frame_at(run, 0.39), 3u);
+  EXPECT_EQ(frame_at(run, 5), 10u);
+}
+
+TEST(Verdict, OfAFailureIsWhenAndWhy) {
+  EXPECT_EQ(
+      verdict_of({Status::failed, "stopped at t = 0.2294 s, step 9: 61 of 1200 leaked (more of it)", 3, 0.2294, 0}),
+      (std::vector<std::string>{"stopped at 0.229 s", "61 of 1200 leaked"}));
+  EXPECT_EQ(verdict_of({Status::failed, "can't write a: is the disk full?", 3, 0.5, 0}),
+            (std::vector<std::string>{"stopped at 0.500 s", "can't write a: is the disk full?"}));
+  EXPECT_EQ(verdict_of({Status::finished, "", 3, 10, 0}), (std::vector<std::string>{"finished at 10 s"}));
+  EXPECT_EQ(verdict_of({Status::interrupted, "", 3, 0.5, 0}), (std::vector<std::string>{"interrupted at 0.500 s"}));
+}
+
+TEST(Variant, SaysWhyItsFramesEnd) {
+  EXPECT_EQ(variant_of(run_until(1, 0.1, Status::failed), 10).message,
+            (std::vector<std::string>{"stopped at 1.000 s", "it leaks"}));
+  EXPECT_EQ(variant_of(run_until(2, 0.1), 10).message, (std::vector<std::string>{"ends at 2 s"}));
+  EXPECT_TRUE(variant_of(run_until(10, 0.1), 10).message.empty());
+  ComparedRun killed = run_until(1.2, 0.1);
+  killed.run.record.ending.reset();
+  EXPECT_EQ(variant_of(killed, 10).message, (std::vector<std::string>{"unfinished: ends at 1.2 s"}));
+  EXPECT_FALSE(variant_of(killed, 10).failed);
+}
+
+// A run of the synthetic tank in a folder, read back.
+ComparedRun stored(const Scratch& scratch) {
+  const std::filesystem::path folder = scratch / "run";
+  Scene scene;
+  scene.name = "tank";
+  scene.parameters.time.end = 0.2;
+  const RunInfo info = run_info(scene);
+  RunRecord record;
+  record.ending = Ending{Status::finished, "", 3, 0.04, 0};
+  write_run_json(folder / "run.json", scene, record);
+  const auto vtu = render::vtu_series(folder);
+  const auto probes = probes_csv(folder / "probes.csv");
+  for (const auto& sink : {vtu.get(), probes.get()}) sink->begin(info);
+  for (long k = 0; k < 3; ++k) {
+    Frame frame = *test::lattice({.spacing = 0.02}, 0.1, k);
+    for (int row = 0; row < 20; ++row) {
+      const double time = 0.02 * static_cast<double>(k) + 0.001 * row;
+      frame.readings.time.push_back(time);
+      for (std::size_t c = 0; c < info.sensors.size(); ++c)
+        frame.readings.values.push_back(std::sin(50 * time) + static_cast<double>(c));
+    }
+    const auto shared = std::make_shared<const Frame>(frame);
+    for (const auto& sink : {vtu.get(), probes.get()}) sink->frame(shared);
+  }
+  for (const auto& sink : {vtu.get(), probes.get()}) sink->end();
+  return compared("tank", read_run(folder));
+}
+
+TEST(Compared, ItsCurvesAtTheMarkEqualTheCsv) {
+  const Scratch scratch;
+  const ComparedRun run = stored(scratch);
+  render::Look look;
+  look.curves = "eta_left, force_x";
+  auto curves = render::compared_curves({variant_of(run, 0.04)}, look);
+  for (auto& curve : curves) render::record(curve, run.readings);
+  render::settle(curves);
+  const Csv csv = read_csv(scratch / "run/probes.csv", "probes");
+  for (std::size_t row = 0; row < csv.rows(); ++row)
+    for (const auto& curve : curves) {
+      const auto at = render::latest(curve.traces[0], csv.number(row, 0));
+      ASSERT_TRUE(at);
+      EXPECT_EQ((*at)[0], csv.number(row, 0));
+      EXPECT_EQ((*at)[1], csv.number(row, 1 + curve.traces[0].column)) << row;
+    }
+}
+
+TEST(Compared, ARunWithoutFramesIsRefused) {
+  const Scratch scratch;
+  const ComparedRun run = stored(scratch);
+  const auto refusal = [&] {
+    try {
+      compared("tank", read_run(run.run.folder));
+    } catch (const BadFolder& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(), "");
+  std::filesystem::remove(run.frames[1].file);
+  EXPECT_EQ(refusal(), run.frames[1].file.string() + " isn't there, though the run lists it; run it again");
+  std::filesystem::remove(run.run.folder / "tank.vtu.series");
+  EXPECT_EQ(refusal(), run.run.folder.string() +
+                           " has no VTU files, from which its pictures are drawn; run it with output.vtu = true");
+}
+
+}  // namespace
+}  // namespace seiche::apps::compare

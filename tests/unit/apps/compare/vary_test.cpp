@@ -1,0 +1,109 @@
+#include "apps/compare/vary.hpp"
+
+#include <gtest/gtest.h>
+
+#include "apps/scene_file.hpp"
+
+namespace seiche::apps::compare {
+namespace {
+
+std::string refusal_of(const std::string& text) {
+  try {
+    parse_vary(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string refusal_of_all(const std::vector<std::string>& varied, const std::vector<Override>& fixed = {}) {
+  std::vector<Vary> all;
+  for (const std::string& each : varied) all.push_back(parse_vary(each));
+  try {
+    combinations(all, fixed);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+Scene scene_of(const std::vector<std::string>& settings) {
+  std::vector<Override> overrides;
+  for (const std::string& each : settings) overrides.push_back(parse_set(each));
+  return parse_scene("", "x.toml", overrides);
+}
+
+const Option* key(const char* section, const char* name) { return find_option(section, name); }
+
+TEST(ParseVary, TakesAKeyAndItsValues) {
+  const Vary vary = parse_vary("method.kernel=KF1,KF3");
+  EXPECT_EQ(vary.option, key("method", "kernel"));
+  ASSERT_EQ(vary.values.size(), 2u);
+  EXPECT_EQ(vary.values[1].key, "method.kernel");
+  EXPECT_EQ(vary.values[1].value, "KF3");
+  EXPECT_EQ(vary.values[1].origin, "--vary method.kernel=KF3");
+  EXPECT_EQ(parse_vary("preset=paper").values.size(), 1u);
+}
+
+TEST(ParseVary, RefusesWhatIsNoKeyOrNoneToVary) {
+  EXPECT_EQ(refusal_of("method.kernl=KF1"),
+            "--vary method.kernl=KF1: 'method.kernl' is no key of a scene; did you mean 'method.kernel'?");
+  EXPECT_EQ(refusal_of("sensors.gauge=1"), "--vary sensors.gauge=1: a list can't be varied; vary a key of one value");
+  EXPECT_EQ(refusal_of("look.range=frame"),
+            "--vary look.range=frame: look.range says how all variants look; vary what is simulated, and give "
+            "look.range with --set");
+}
+
+TEST(ParseVary, RefusesMissingValues) {
+  for (const std::string text : {"method.kernel", "method.kernel=", "method.kernel=KF1,", "method.kernel=,KF1"})
+    EXPECT_EQ(refusal_of(text),
+              "--vary " + text + ": a value is missing; expected KEY=VALUE,VALUE, as in method.kernel=KF1,KF3");
+}
+
+TEST(Combinations, AreAllOfThemTheLastKeyChangingFastest) {
+  const auto all = combinations({parse_vary("method.kernel=KF1,KF3"), parse_vary("particles.spacing=0.02,0.01")}, {});
+  std::string values;
+  for (const auto& each : all) values += each.at(0).value + " " + each.at(1).value + ";";
+  EXPECT_EQ(values, "KF1 0.02;KF1 0.01;KF3 0.02;KF3 0.01;");
+}
+
+TEST(Combinations, RefuseMoreThanAPictureHasRoomFor) {
+  EXPECT_EQ(refusal_of_all({"method.kernel=KF1,KF2,KF3,KF4,KF5", "particles.spacing=0.02,0.01"}),
+            "10 variants are too many; a picture has room for 9");
+  EXPECT_EQ(refusal_of_all({"method.kernel=KF1,KF2,KF3", "particles.spacing=0.04,0.02,0.01"}), "");
+}
+
+TEST(Combinations, RefuseAKeyThatIsSetTwice) {
+  EXPECT_EQ(refusal_of_all({"method.kernel=KF1", "method.kernel=KF3"}),
+            "method.kernel is varied twice; give all its values in one --vary");
+  EXPECT_EQ(refusal_of_all({"method.kernel=KF1"}, {{"--kernel KF2", "method.kernel", "KF2"}}),
+            "--kernel KF2: method.kernel is varied; leave one of both");
+}
+
+TEST(Names, OfVariantsAreLabelsAndFolders) {
+  const Scene scene = scene_of({"method.kernel=KF3", "particles.spacing=0.005", "motion.amplitude=0.01"});
+  const auto kernel = key("method", "kernel"), spacing = key("particles", "spacing");
+  EXPECT_EQ(label_of(scene, {kernel}), "KF3");
+  EXPECT_EQ(folder_of(scene, {kernel}), "KF3");
+  EXPECT_EQ(label_of(scene, {kernel, spacing}), "KF3, 5 mm");
+  EXPECT_EQ(folder_of(scene, {kernel, spacing}), "KF3_spacing-0.005");
+  EXPECT_EQ(label_of(scene, {key("method", "radius_gradient")}), "radius gradient 2.6 l0");
+  EXPECT_EQ(folder_of(scene, {key("tank", "closed")}), "closed-true");
+  EXPECT_EQ(label_of(scene, {key("motion", "amplitude")}), "amplitude 0.01") << "its unit depends on the motion";
+  EXPECT_EQ(label_of(scene, {key("time", "end")}), "end 10 s");
+}
+
+TEST(Names, OfFoldersHaveSafeCharactersOnly) {
+  Scene scene;
+  scene.parameters.motion.file = "../a b/c:d.csv";
+  EXPECT_EQ(folder_of(scene, {key("motion", "file")}), "file-..-a-b-c-d.csv");
+}
+
+TEST(Differences, AreKeysOfTheSimulationAlone) {
+  const Scene a = scene_of({"method.kernel=KF3", "look.colour_map=turbo"}), b = scene_of({"method.kernel=KF4"});
+  EXPECT_EQ(differences({&a, &b}), (std::vector<const Option*>{key("method", "kernel")}));
+  EXPECT_TRUE(differences({&a, &a}).empty());
+}
+
+}  // namespace
+}  // namespace seiche::apps::compare
