@@ -19,6 +19,7 @@ usage: ./do VERB
   demo     build, then run scenes/pan2008.toml and say where its movie is
   test     build with tests, then run them all through CTest
   bench    build with benchmarks, then run them into out/bench/; './do bench quick' takes a minute
+  gallery  build, then make the small pictures of scenes/gallery/ anew; a minute or two
   format   rewrite the sources in the house style (clang-format)
   clean    remove build/ and out/
 TEXT
@@ -58,6 +59,27 @@ bench() {
   build/tests/bench/bench_parts --benchmark_out=out/bench/parts.csv --benchmark_out_format=csv $small
 }
 
+# Runs a scene up to the time of a picture, ten frames a second, and keeps the last. What else is said are its settings.
+picture() {
+  name="$1" scene="$2" time="$3"
+  shift 3
+  build/seiche run "scenes/$scene.toml" -o "out/gallery/$name" --overwrite --set time.end="$time" \
+    --set output.frame_rate=10 --set output.size=576x324 --set output.movie=none --set output.vtu=false \
+    --set output.report=false "$@"
+  cp "out/gallery/$name/frames/$(ls "out/gallery/$name/frames" | tail -n 1)" "scenes/gallery/$name.png"
+}
+
+gallery() {
+  picture dam-break dam-break 0.2 --spacing 0.0028575 --set look.quantity=speed --set look.range=0,2 --set look.curves=none
+  picture splash dam-break 0.6 --spacing 0.0028575 --set look.background=black --set look.colour_map=cividis \
+    --set look.quantity=speed --set look.range=0,2 --set look.curves=none
+  picture bore sway-shallow 4.4 --spacing 0.00625 --set look.curves=none
+  picture arrows roll 1.9 --spacing 0.01 --set look.arrows=true --set look.quantity=speed --set look.range=0,0.2 \
+    --set look.curves=none
+  picture smooth pan2008 2.9 --spacing 0.01 --set look.style=smooth
+  picture box quick 0.6 --set tank.width=0.2
+}
+
 case "${1:-}" in
   "" | help | -h | --help) usage ;;
   deps) install_packages $build_packages ;;
@@ -83,6 +105,11 @@ case "${1:-}" in
     install_packages $build_packages $test_packages $bench_packages
     build OFF ON
     bench "${2:-}"
+    ;;
+  gallery)
+    install_packages $build_packages
+    build OFF OFF
+    gallery
     ;;
   format)
     install_packages $format_packages

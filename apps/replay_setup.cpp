@@ -79,6 +79,7 @@ Replay set_up(const ReplayRequest& request) {
   change_look(replay.scene, request.look);
   check_curves(request, replay.run, replay.scene);
   render::check_look(replay.scene.look);
+  render::check_dimension(replay.scene.look, replay.scene.parameters.dimension());
   if (request.latest && replay.scene.look.range == "run")
     throw std::invalid_argument(
         "--latest draws frames as they come, and the range \"run\" needs all of them; give --range scene, frame or "

@@ -105,7 +105,9 @@ Scene parse_scene(const std::string& toml, const std::string& file, const std::v
   try {
     check_parameters(scene.parameters);
     check_step(scene);
-  } catch (const BadParameters& error) {
+    render::check_look(scene.look);
+    render::check_dimension(scene.look, scene.parameters.dimension());
+  } catch (const std::invalid_argument& error) {
     throw BadScene(fmt::format("{}: {}", file, error.what()));
   }
   if (auto complaints = curve_complaints(all, scene); !complaints.empty()) refuse(std::move(complaints));

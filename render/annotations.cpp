@@ -5,16 +5,22 @@
 
 #include <algorithm>
 
+#include "render/arrow.hpp"
+#include "render/arrow_scale.hpp"
+#include "render/arrows.hpp"
 #include "render/particles.hpp"
 #include "render/quantity.hpp"
+#include "render/surface_line.hpp"
+#include "render/surface_sign.hpp"
 
 namespace seiche::render {
 namespace {
 
 constexpr const char *surface_words = "free surface", *wall_words = "wall";
-constexpr double mark = 1, between = 1.2;  // widths in the key, in font heights
+constexpr double mark = 1, between = 1.2, after_arrow = 0.5;  // widths in the key, in font heights
 
 std::string metres(double length) { return fmt::format("{:.3g} m", length); }
+std::string speed_text(double speed) { return fmt::format("{:.3g} m/s", speed); }
 std::string clock_text(double seconds) { return fmt::format("t = {:.3f} s", seconds); }
 
 double middle(const Box& box) { return box.y + box.height / 2; }
@@ -29,15 +35,30 @@ std::string caption_of(const RunInfo& run) {
 bool Annotations::keyed_wall() const {
   return look_.show_walls && run_.dimension == 2 && quantity_of(look_.quantity) != Quantity::kind;
 }
-bool Annotations::keyed_surface() const {
-  return look_.show_surface && quantity_of(look_.quantity) != Quantity::free_surface;
+
+double Annotations::marks_width() const {
+  double width = 0;
+  if (surface_sign(look_) != SurfaceSign::none) width += mark + text_width(surface_words);
+  if (keyed_wall()) width += (width > 0 ? between : 0) + mark + text_width(wall_words);
+  return width;
+}
+
+double Annotations::arrow_width() const {
+  const ArrowScale scale = arrow_scale(run_, look_);
+  return scale.length * scale.reference + after_arrow + text_width(speed_text(scale.reference));
+}
+
+// Where there is room for it.
+bool Annotations::keyed_arrow() const {
+  const double room = look_.width / font_height(look_.width, look_.height) - 2 * layout_pad;
+  return look_.show_arrows && marks_width() + between + arrow_width() <= room;
 }
 
 void Annotations::claim(Needs& needs, double foreshortened) const {
   if (look_.show_caption) needs.caption = text_width(caption_);
   if (look_.show_clock) needs.clock = text_width(clock_text(std::max(run_.end, 1.0)));
-  if (keyed_surface()) needs.key += mark + text_width(surface_words);
-  if (keyed_wall()) needs.key += (needs.key > 0 ? between : 0) + mark + text_width(wall_words);
+  needs.key = marks_width();
+  if (keyed_arrow()) needs.key += (needs.key > 0 ? between : 0) + arrow_width();
   if (look_.show_ruler) {
     needs.ruler = ruler_ * foreshortened;
     needs.ruler_label = text_width(metres(ruler_));
@@ -68,13 +89,29 @@ void Annotations::place_ruler(const Layout& layout, double foreshortened, Rgb in
 void Annotations::place_key(const Layout& layout, Rgb ink) {
   double x = layout.key.x;
   const double y = middle(layout.key), font = layout.font, radius = 0.32 * font;
-  const auto entry = [&](const char* words, double inner, Rgb colour) {
-    overlay_->ring(x + radius, y, inner, radius, colour);
+  const auto entry = [&](const char* words) {
     overlay_->text(words, x + mark * font, y, font, Align::left, ink);
     x += (mark + text_width(words) + between) * font;
   };
-  if (keyed_surface()) entry(surface_words, 0.55 * radius, Particles::surface_colour);
-  if (keyed_wall()) entry(wall_words, 0, Particles::wall_colour);
+  if (keyed_arrow()) {
+    const ArrowScale scale = arrow_scale(run_, look_);
+    const double length = scale.length * scale.reference * font;
+    const ArrowShape arrow = placed(arrow_shape(length, font), {x + length / 2, y}, {1, 0});
+    for (const Line& halo : {arrow.shaft_halo, arrow.head_halo}) overlay_->polygon(halo, Arrows::halo);
+    for (const Line& dark : {arrow.shaft, arrow.head}) overlay_->polygon(dark, Arrows::ink);
+    overlay_->text(speed_text(scale.reference), x + length + after_arrow * font, y, font, Align::left, ink);
+    x += (arrow_width() + between) * font;
+  }
+  const SurfaceSign sign = surface_sign(look_);
+  if (sign == SurfaceSign::rings) overlay_->ring(x + radius, y, 0.55 * radius, radius, Particles::surface_colour);
+  if (sign == SurfaceSign::line)
+    overlay_->box({x, y - SurfaceLine::width * font / 2, 2 * radius, SurfaceLine::width * font},
+                  Particles::surface_colour);
+  if (sign != SurfaceSign::none) entry(surface_words);
+  if (keyed_wall()) {
+    overlay_->ring(x + radius, y, 0, radius, Particles::wall_colour);
+    entry(wall_words);
+  }
 }
 
 void Annotations::set_time(double seconds) {

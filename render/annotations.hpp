@@ -25,7 +25,9 @@ class Annotations {
 
  private:
   bool keyed_wall() const;
-  bool keyed_surface() const;
+  bool keyed_arrow() const;
+  double marks_width() const;  // in the key, in font heights
+  double arrow_width() const;
   void place_ruler(const Layout& layout, double foreshortened, Rgb ink);
   void place_key(const Layout& layout, Rgb ink);
 

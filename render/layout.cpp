@@ -7,13 +7,14 @@
 #include "render/row.hpp"
 
 namespace seiche::render {
-namespace {
 
 double font_height(const Needs& needs) {
   constexpr double of_720p = 21;
   const double across = needs.width / 1280.0, up = needs.height / 720.0;
   return std::max(9.0, needs.font * of_720p * std::min({std::sqrt(across * up), 1.4 * across, 1.6 * up}));
 }
+
+namespace {
 
 // Beside the tank: colours, ticks and labels under a title. Below it: title, colours, labels. Sizes in font heights.
 struct BarRoom {

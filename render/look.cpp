@@ -25,10 +25,24 @@ void check_look(const Look& look) {
   quantity_of(look.quantity);
   ColourMap{look.colour_map};
   among("background", look.background, {"white", "black", "transparent"});
-  among("style", look.style, {"disc", "dot"});
+  among("style", look.style, {"disc", "dot", "smooth"});
+  if (look.style == "smooth" && !classes_of(quantity_of(look.quantity)).empty())
+    throw std::invalid_argument(fmt::format(
+        "style 'smooth' draws means of numbers, and '{}' is none; choose another quantity, or style disc or dot",
+        look.quantity));
   among("view", look.view, {"tank", "lab"});
   parse_range(look.range);
   named_curves(look.curves);
+}
+
+void check_dimension(const Look& look, int dimension) {
+  if (dimension == 2) return;
+  const auto refuse = [](const char* what, const char* instead) {
+    throw std::invalid_argument(fmt::format("{} is for 2-D runs, and this one is 3-D; set it to {}", what, instead));
+  };
+  if (look.show_arrows) refuse("look.arrows = true", "false");
+  if (look.show_surface_line) refuse("look.surface_line = true", "false");
+  if (look.style == "smooth") refuse("look.style = 'smooth'", "disc or dot");
 }
 
 }  // namespace seiche::render

@@ -27,15 +27,18 @@ struct Look {
   std::string quantity = "pressure";   ///< that particles are coloured by; quantity.hpp has their names
   std::string colour_map = "viridis";  ///< viridis | cividis | cool-warm | turbo
   std::string background = "white";    ///< white | black | transparent
-  std::string style = "disc";          ///< disc: edged discs that fill the spacing | dot: small plain ones
-  std::string view = "tank";           ///< tank: the tank stands still | lab: the tank moves
-  std::string range = "scene";         ///< scene | frame | run | "min,max" in the unit of the quantity
-  std::string curves = "auto";         ///< auto | none | sensors without their units, as in "eta_left, p_left_bottom"
-  std::vector<Reference> references;   ///< one to a [[look.reference]]
+  /// disc: edged discs that fill the spacing | dot: small plain ones | smooth: one coloured area, 2-D only
+  std::string style = "disc";
+  std::string view = "tank";          ///< tank: the tank stands still | lab: the tank moves
+  std::string range = "scene";        ///< scene | frame | run | "min,max" in the unit of the quantity
+  std::string curves = "auto";        ///< auto | none | sensors without their units, as in "eta_left, p_left_bottom"
+  std::vector<Reference> references;  ///< one to a [[look.reference]]
+  bool show_arrows = false;           ///< velocities relative to the tank, on a choice of particles; 2-D only
   bool show_walls = true;
-  bool show_surface = true;  ///< mark free-surface particles
-  bool show_tank = true;     ///< the tank's outline
-  bool show_bar = true;      ///< the scalar bar
+  bool show_surface = true;        ///< mark free-surface particles; with style smooth: draw the free surface
+  bool show_surface_line = false;  ///< the free surface as a line instead of marks on particles; 2-D only
+  bool show_tank = true;           ///< the tank's outline
+  bool show_bar = true;            ///< the scalar bar
   bool show_clock = true;
   bool show_caption = true;  ///< kernel, spacing, scene
   bool show_ruler = true;
@@ -51,5 +54,8 @@ std::optional<Range> parse_range(const std::string& text);
 
 /// Throws std::invalid_argument with the first thing in `look` that can't be drawn.
 void check_look(const Look& look);
+
+/// Throws std::invalid_argument with the first thing in `look` that a run of this dimension can't show.
+void check_dimension(const Look& look, int dimension);
 
 }  // namespace seiche::render

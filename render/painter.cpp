@@ -63,6 +63,7 @@ Painter::Stage::Stage(const RunInfo& run, const Look& look, const std::vector<Se
 
 Painter::Painter(const RunInfo& run, const Look& look) : run_(run), look_(look) {
   check_look(look);
+  check_dimension(look, run.dimension);
   curves_ = sensor_curves(run, look);
 }
 Painter::~Painter() = default;

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/surface_sign.hpp"
+
 namespace seiche::render {
 
 /// One actor with the particles of one sort. Its arrays are filled anew for each frame.
@@ -73,11 +75,6 @@ struct Disc {
   bool square = false;
 };
 
-// Not where colours show it.
-bool marks_surface(const Look& look) {
-  return look.show_surface && quantity_of(look.quantity) != Quantity::free_surface;
-}
-
 // Each disc is drawn as a flat cone: where two of one layer overlap they meet half-way, whichever is drawn first.
 vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(const Disc& disc) {
   auto mapper = vtkSmartPointer<vtkPointGaussianMapper>::New();
@@ -118,7 +115,7 @@ void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Lo
   property->SetDiffuse(0.75);
   property->SetSpecular(0.1);
   property->SetSpecularPower(20);
-  if (marks_surface(look)) {
+  if (surface_sign(look) == SurfaceSign::rings) {
     // A small ring on each sphere, towards the camera.
     const double size = std::max(0.5 * radius, stroke / scale);
     surface_ = std::make_unique<Layer>(renderer, disc_mapper({.radius = size, .hole = 0.5, .relief = 0}));
@@ -151,7 +148,7 @@ void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look
     wall_ = discs({.radius = half, .layer = -1, .square = square});
   }
   fluid_ = discs({.radius = radius, .edge = 0.8 / (1 + 0.5 * closed), .shade = shade});
-  if (marks_surface(look)) {
+  if (surface_sign(look) == SurfaceSign::rings) {
     const double size = std::max(0.5 * run.spacing, 1.4 * stroke / scale);
     surface_ = discs({.radius = size, .hole = 1 - stroke / (size * scale), .layer = 1});
     // Those marked keep their true size, so that their mark goes round them and no spray looks larger than it is.
@@ -168,7 +165,7 @@ Rgb Particles::wall(Kind kind) const {
   return kind == Kind::wall ? wall_colour : dummy_colour;
 }
 
-void Particles::show(const Frame& frame, Range range, const TankPose& pose) {
+void Particles::show(const Frame& frame, Range range, const TankPose& pose, const SmoothField* area) {
   Layer* const layers[] = {fluid_.get(), marked_.get(), surface_.get(), wall_.get(), dummy_.get()};
   for (Layer* layer : layers)
     if (layer) layer->clear();
@@ -182,6 +179,7 @@ void Particles::show(const Frame& frame, Range range, const TankPose& pose) {
                     static_cast<float>(pose.pivot[1] + pose.displacement[1] + s * x + c * y), in_tank[2]};
     switch (frame.kind[i]) {
       case Kind::fluid: {
+        if (area && area->fraction_at(in_tank[0], in_tank[1]) > SmoothField::surface) break;
         const bool marked = surface_ && frame.free_surface[i];
         const double value = value_of(quantity_, frame, i);
         const Rgb colour =

@@ -4,6 +4,7 @@
 #include "render/colour_map.hpp"
 #include "render/look.hpp"
 #include "render/quantity.hpp"
+#include "render/smooth_field.hpp"
 #include "solver/frame.hpp"
 
 class vtkRenderer;
@@ -17,8 +18,9 @@ class Particles {
   Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke);
   ~Particles();
 
-  /// Takes over a frame's particles, of a tank that stands as `pose` says.
-  void show(const Frame& frame, Range range, const TankPose& pose);
+  /// Takes over a frame's particles, of a tank that stands as `pose` says. Of the fluid only spray is shown where the
+  /// liquid is a smooth area: what lies outside of it.
+  void show(const Frame& frame, Range range, const TankPose& pose, const SmoothField* area = nullptr);
 
   /// 2-D: what lies between walls, fluid and marks along z; far more than the relief of any of them [m].
   static double layer_height(const RunInfo& run);

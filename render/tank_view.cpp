@@ -1,12 +1,13 @@
 #include "render/tank_view.hpp"
 
 #include <vtkActor.h>
-#include <vtkMath.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "render/pose.hpp"
+#include "render/surface_sign.hpp"
 #include "render/tank.hpp"
 
 namespace seiche::render {
@@ -41,25 +42,30 @@ void set_background(vtkRenderer* renderer, const Look& look, Rgb paper) {
 
 TankView::TankView(vtkRenderer* renderer, const RunInfo& run, const Look& look, const Layout& layout,
                    const Palette& colours)
-    : run_(run), moves_(look.view == "lab") {
+    : run_(run), moves_(look.view == "lab"), quantity_(quantity_of(look.quantity)) {
   if (look.show_tank) {
     tank_.push_back(tank_outline(run, layout.line / layout.scale, colours.outline));
     if (run.dimension == 3) tank_.push_back(tank_back(run, colours.shade));
     for (const auto& part : tank_) renderer->AddActor(part);
   }
   particles_.emplace(renderer, run, look, layout.scale, std::max(1.2, 0.08 * layout.font));
+  const bool smooth = look.style == "smooth", lined = surface_sign(look) == SurfaceSign::line;
+  if (smooth || lined) field_.emplace(run, std::max(0.25 * run.spacing, 1 / layout.scale));
+  if (smooth) liquid_.emplace(renderer, *field_, ColourMap(look.colour_map));
+  if (lined) surface_.emplace(renderer, run, layout.font / layout.scale);
+  if (look.show_arrows) arrows_.emplace(renderer, run, arrow_scale(run, look), layout.scale, layout.font);
 }
 
 void TankView::show(const Frame& frame, Range range) {
   const TankPose pose = moves_ ? frame.pose : TankPose{};
-  particles_->show(frame, range, pose);
-  for (const auto& part : tank_) {
-    Double3 at = pose.displacement;
-    if (run_.dimension == 2) at[2] = 0.5 * Particles::layer_height(run_);  // over the liquid, under the marks
-    part->SetOrigin(pose.pivot[0], pose.pivot[1], 0);
-    part->SetOrientation(0, 0, vtkMath::DegreesFromRadians(pose.roll));
-    part->SetPosition(at.data());
-  }
+  if (field_) field_->take(frame, quantity_);
+  if (liquid_) liquid_->show(*field_, range, pose);
+  if (surface_) surface_->show(*field_, pose);
+  particles_->show(frame, range, pose, liquid_ ? &*field_ : nullptr);
+  if (arrows_) arrows_->show(frame, pose);
+  // In 2-D over the liquid, under the marks.
+  const double height = run_.dimension == 2 ? 0.5 * Particles::layer_height(run_) : 0;
+  for (const auto& part : tank_) stand(part, pose, height);
 }
 
 }  // namespace seiche::render

@@ -4,11 +4,14 @@
 #include <optional>
 #include <vector>
 
+#include "render/arrows.hpp"
 #include "render/camera.hpp"
 #include "render/layout.hpp"
 #include "render/look.hpp"
 #include "render/palette.hpp"
 #include "render/particles.hpp"
+#include "render/smooth_liquid.hpp"
+#include "render/surface_line.hpp"
 #include "solver/frame.hpp"
 
 class vtkActor;
@@ -23,7 +26,7 @@ Bounds room_of(const RunInfo& run, const Look& look, const Frame& first);
 /// Paints a renderer's background, or leaves it transparent.
 void set_background(vtkRenderer* renderer, const Look& look, Rgb paper);
 
-/// A run's tank with its particles, in a renderer.
+/// A run's tank with its liquid, in a renderer.
 class TankView {
  public:
   TankView(vtkRenderer* renderer, const RunInfo& run, const Look& look, const Layout& layout, const Palette& colours);
@@ -33,7 +36,12 @@ class TankView {
  private:
   RunInfo run_;
   bool moves_;  // in the lab's view
+  Quantity quantity_;
   std::optional<Particles> particles_;
+  std::optional<SmoothField> field_;  // where the liquid or its surface is drawn as a whole
+  std::optional<SmoothLiquid> liquid_;
+  std::optional<SurfaceLine> surface_;
+  std::optional<Arrows> arrows_;
   std::vector<vtkSmartPointer<vtkActor>> tank_;
 };
 

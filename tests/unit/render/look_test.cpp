@@ -33,3 +33,24 @@ TEST(Look, SizesHaveBounds) {
     EXPECT_THROW(check_look(look), std::invalid_argument) << width << " x " << height;
   }
 }
+
+TEST(Look, SmoothNeedsANumber) {
+  Look look;
+  look.style = "smooth";
+  EXPECT_NO_THROW(check_look(look));
+  look.quantity = "kind";
+  EXPECT_THROW(check_look(look), std::invalid_argument);
+}
+
+TEST(Look, WhatNeedsAPlaneIsRefusedIn3d) {
+  EXPECT_NO_THROW(check_dimension(Look{}, 3));
+  const auto refused = [](auto change) {
+    Look look;
+    change(look);
+    EXPECT_NO_THROW(check_dimension(look, 2));
+    EXPECT_THROW(check_dimension(look, 3), std::invalid_argument);
+  };
+  refused([](Look& look) { look.show_arrows = true; });
+  refused([](Look& look) { look.show_surface_line = true; });
+  refused([](Look& look) { look.style = "smooth"; });
+}

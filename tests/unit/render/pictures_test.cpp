@@ -197,6 +197,19 @@ TEST(Pictures, RunRangeIsDrawnAtTheEndWithOneRangeForAll) {
   EXPECT_NE(draw(look, frames).images[0].rgba, run.images[0].rgba) << "its own range differs where pressures are small";
 }
 
+TEST(Pictures, SmoothLiquidLeavesNoSprayOut) {
+  Look look = small();
+  look.style = "smooth";
+  const auto still = test::lattice(box, 0);
+  auto sprayed = std::make_shared<Frame>(*still);
+  const auto fluid = std::find(still->kind.begin(), still->kind.end(), Kind::fluid) - still->kind.begin();
+  sprayed->position[static_cast<std::size_t>(fluid)] = {0.1f, 0.085f, 0};
+  sprayed->pressure[static_cast<std::size_t>(fluid)] = 1e6;  // the end of the colours
+  const std::array<int, 4> yellow{253, 231, 37, 255};
+  const auto drawn = draw(look, {still, sprayed}).images;
+  EXPECT_GT(count(drawn.at(1), yellow, 4), count(drawn.at(0), yellow, 4) + 50);
+}
+
 TEST(Pictures, TwoSeriesMayBeDrawnInTurns) {
   Look black = small();
   black.background = "black";
