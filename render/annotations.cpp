@@ -50,7 +50,7 @@ double Annotations::arrow_width() const {
 
 // Where there is room for it.
 bool Annotations::keyed_arrow() const {
-  const double room = look_.width / font_height(look_.width, look_.height) - 2 * layout_pad;
+  const double room = look_.width / font_height({.width = look_.width, .height = look_.height}) - 2 * layout_pad;
   return look_.show_arrows && marks_width() + between + arrow_width() <= room;
 }
 

@@ -52,8 +52,8 @@ struct Layout {
   std::vector<CurvePlace> curves;  ///< none where they would take nearly half of the tank's size
 };
 
-/// Height of the text in a picture of this size [pixels].
-double font_height(int width, int height);
+/// Height of the text in a picture of the size that `needs` has [pixels].
+double font_height(const Needs& needs);
 
 /// Curves go below all else. Of the room above them: tries the scalar bar beside the tank and below it, and takes what
 /// shows the tank larger.
