@@ -78,6 +78,9 @@ gallery() {
     --set look.curves=none
   picture smooth pan2008 2.9 --spacing 0.01 --set look.style=smooth
   picture box quick 0.6 --set tank.width=0.2
+  build/seiche compare scenes/pan2008-paper.toml --vary method.kernel=KF1,KF2,KF3,KF4,KF5 --spacing 0.01 --end 3 \
+    --size 960x540 -o out/gallery/kernels --overwrite
+  cp "out/gallery/kernels/frames/$(ls out/gallery/kernels/frames | tail -n 1)" scenes/gallery/kernels.png
 }
 
 case "${1:-}" in
