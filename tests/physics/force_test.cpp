@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/physics/runs.hpp"
 
 namespace seiche::physics {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "apps/exit_codes.hpp"
 #include "apps/stored_run.hpp"
 #include "render/read_png.hpp"

@@ -42,7 +42,7 @@ TEST(ReportCharts, ShowWhatAllRunsHaveOnce) {
   const test::Signals twice{[](double t) { return 0.02 * std::sin(6 * t); }, [](double) { return 0.0; }};
   const auto charts = charts_of({"tank", {test::report_run("a", 2), test::report_run("b", 1, twice)}, {}, {}});
   EXPECT_EQ(chart_named(charts, "eta_left").traces.size(), 2u);
-  const Chart& surge = chart_named(charts, "surge");
+  const Chart surge = chart_named(charts, "surge");
   ASSERT_EQ(surge.traces.size(), 1u) << "though the second run ended sooner";
   EXPECT_EQ(line_style(surge.traces[0]), "all");
 }
@@ -68,7 +68,7 @@ TEST(ReportCharts, ATankThatBurstsDoesNotEither) {
 TEST(ReportCharts, PeaksOutliveThinning) {
   const auto peak = [](double t) { return std::abs(t - 1.234) < 1e-9 ? 0.012 : 0.01 * std::sin(6 * t); };
   const auto charts = charts_of({"tank", {test::report_run("a", 4, {peak, [](double) { return 0.0; }})}, {}, {}});
-  const Chart& chart = chart_named(charts, "eta_left");
+  const Chart chart = chart_named(charts, "eta_left");
   const render::Range range = extent_of(chart).range;
   const std::string html = chart_html(chart, true);
   EXPECT_NE(html.find(fmt::format("L308.5 {:.1f}", 1000 * (range.high - 0.012) / (range.high - range.low))),

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/unit/apps/report/synthetic.hpp"
 
 namespace seiche::apps::report {
