@@ -4,24 +4,18 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "apps/csv.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/run_info.hpp"
 #include "render/curve_choice.hpp"
+#include "render/file.hpp"
 
 namespace fs = std::filesystem;
 
 namespace seiche::apps {
 namespace {
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 OutputFolder files_of(const StoredRun& run) { return {run.folder, run.scene.name}; }
 
@@ -47,10 +41,10 @@ StoredRun read_run(const fs::path& folder) {
   StoredRun run;
   run.folder = folder;
   try {
-    const auto json = nlohmann::json::parse(text_of(file));
+    const auto json = nlohmann::json::parse(render::read_file(file));
     read_run_json(json, run.scene, run.record);
     if (const fs::path more = files_of(run).samples(); fs::exists(more))
-      read_samples(nlohmann::json::parse(text_of(file = more)), run.scene);
+      read_samples(nlohmann::json::parse(render::read_file(file = more)), run.scene);
     run.info = run_info(run.scene);
     run.info.version = json.at("seiche");
   } catch (const std::exception& error) {
@@ -64,7 +58,7 @@ std::vector<StoredFrame> stored_frames(const StoredRun& run) {
   std::vector<StoredFrame> frames;
   if (!fs::exists(list)) return frames;
   try {
-    const auto json = nlohmann::json::parse(text_of(list));
+    const auto json = nlohmann::json::parse(render::read_file(list));
     for (const auto& entry : json.at("files")) {
       const std::string name = entry.at("name");
       frames.push_back({index_in(name), entry.at("time"), run.folder / name});
@@ -92,7 +86,7 @@ Readings stored_readings(const StoredRun& run) {
   Readings readings;
   const fs::path file = files_of(run).probes();
   if (!fs::exists(file)) return readings;
-  std::string text = text_of(file);
+  std::string text = render::read_file(file);
   text.erase(text.rfind('\n') + 1);
   const Csv table(text, file.string());
   std::vector<std::string> titles{"t [s]"};

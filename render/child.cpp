@@ -9,17 +9,14 @@
 #include <csignal>
 #include <system_error>
 
+#include "render/file.hpp"
+
 extern char** environ;
 
 namespace seiche::render {
 namespace {
 
-std::string contents(std::FILE* file) {
-  std::string text;
-  char part[4096];
-  off_t place = 0;
-  for (ssize_t count; (count = pread(fileno(file), part, sizeof part, place)) > 0; place += count)
-    text.append(part, static_cast<std::size_t>(count));
+std::string without_line_end(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
   return text;
 }
@@ -85,7 +82,7 @@ bool Child::finish() {
   return succeeded_;
 }
 
-std::string Child::output() const { return contents(output_.get()); }
-std::string Child::errors() const { return contents(errors_.get()); }
+std::string Child::output() const { return without_line_end(contents(output_.get())); }
+std::string Child::errors() const { return without_line_end(contents(errors_.get())); }
 
 }  // namespace seiche::render

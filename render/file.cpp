@@ -1,10 +1,12 @@
 #include "render/file.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 namespace seiche::render {
@@ -41,6 +43,24 @@ void write_file(const std::filesystem::path& file, std::string_view bytes) {
   out.close();
   if (!out) throw cannot_write(file, std::strerror(errno));
   publish(file);
+}
+
+std::string read_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  // Opening a folder succeeds, reading it throws.
+  if (!in || std::filesystem::is_directory(file))
+    throw std::runtime_error(fmt::format("{} can't be read: {}", file.string(),
+                                         std::filesystem::exists(file) ? "it is no readable file" : "it isn't there"));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string contents(std::FILE* file) {
+  std::string text;
+  char part[4096];
+  off_t place = 0;
+  for (ssize_t count; (count = pread(fileno(file), part, sizeof part, place)) > 0; place += count)
+    text.append(part, static_cast<std::size_t>(count));
+  return text;
 }
 
 }  // namespace seiche::render

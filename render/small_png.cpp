@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
+
+#include "render/file.hpp"
+#include "render/read_png.hpp"
 
 namespace seiche::render {
 namespace {
@@ -41,21 +42,6 @@ void average(const Image& image, const Cover& across, const Cover& down, std::ui
   out[3] = static_cast<std::uint8_t>(std::lround(sum[3] / area));
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const char* why) {
-  throw std::runtime_error(fmt::format("{} can't be read: {}", file.string(), why));
-}
-
-Image decoded(const std::string& bytes, const std::filesystem::path& file) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) refuse(file, png.message);
-  png.format = PNG_FORMAT_RGBA;
-  Image image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
-  image.rgba.resize(PNG_IMAGE_SIZE(png));
-  if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0) refuse(file, png.message);
-  return image;
-}
-
 std::string encoded(const Image& image) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
@@ -84,11 +70,9 @@ Image shrunk(const Image& image, int width) {
 }
 
 std::string small_png(const std::filesystem::path& file, std::size_t most) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) refuse(file, "it isn't there");
-  std::string bytes(std::istreambuf_iterator<char>(in), {});
+  std::string bytes = read_file(file);
   if (bytes.size() <= most) return bytes;
-  const Image image = decoded(bytes, file);
+  const Image image = read_png(file);
   // Bytes grow with the pixels, or a little slower.
   double width = image.width * std::min(0.9, 1.1 * std::sqrt(static_cast<double>(most) / bytes.size()));
   for (;; width *= 0.85) {

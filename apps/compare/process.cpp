@@ -2,12 +2,15 @@
 
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <system_error>
+
+#include "render/file.hpp"
 
 namespace seiche::apps::compare {
 namespace {
@@ -41,9 +44,12 @@ Process::Process(const std::filesystem::path& program, const std::vector<std::st
   process_ = fork();
   if (process_ < 0) throw std::system_error(errno, std::generic_category(), program.string());
   if (process_ == 0) become(program.c_str(), words.data(), fileno(errors_.get()), parent);
+  // Not by <sys/pidfd.h>, which C++ can't use before glibc 2.37.
+  descriptor_ = static_cast<int>(syscall(SYS_pidfd_open, process_, 0));
 }
 
 Process::~Process() {
+  close(descriptor_);
   if (exit_code()) return;
   signal(SIGKILL);
   waitpid(process_, nullptr, 0);
@@ -59,13 +65,6 @@ void Process::signal(int number) {
   if (!exit_code()) kill(process_, number);
 }
 
-std::string Process::errors() const {
-  std::string text;
-  char part[4096];
-  off_t place = 0;
-  for (ssize_t count; (count = pread(fileno(errors_.get()), part, sizeof part, place)) > 0; place += count)
-    text.append(part, static_cast<std::size_t>(count));
-  return text;
-}
+std::string Process::errors() const { return render::contents(errors_.get()); }
 
 }  // namespace seiche::apps::compare

@@ -23,6 +23,9 @@ class Process {
   /// What it ended with, 128 + its number for a signal; nothing while it works.
   std::optional<int> exit_code();
 
+  /// poll() finds it readable once the process has ended.
+  int descriptor() const { return descriptor_; }
+
   void signal(int number);
 
   /// What it has printed to standard error so far.
@@ -34,6 +37,7 @@ class Process {
   };
   std::unique_ptr<std::FILE, Close> errors_{std::tmpfile()};
   pid_t process_ = -1;
+  int descriptor_ = -1;
   std::optional<int> code_;
 };
 

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <poll.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "apps/compare/process.hpp"
 #include "apps/exit_codes.hpp"
@@ -18,7 +17,7 @@
 namespace seiche::apps::compare {
 namespace {
 
-constexpr std::chrono::milliseconds patience{100};  // between two looks at the runs
+constexpr int between_looks = 250;  // at how far the runs have come [ms]
 
 std::vector<std::string> command(const PlannedRun& run, int threads) {
   std::vector<std::string> words{"seiche", "run", run.scene.file};
@@ -105,6 +104,14 @@ class Team {
     }
   }
 
+  // Until one ends, a signal comes, or it is time to show how far they have come.
+  void wait() const {
+    std::vector<pollfd> ends;
+    for (const auto& process : processes_)
+      if (process) ends.push_back({process->descriptor(), POLLIN, 0});
+    poll(ends.data(), ends.size(), between_looks);
+  }
+
   void end_all() {
     for (const auto& process : processes_)
       if (process) process->signal(SIGINT);
@@ -157,7 +164,7 @@ Outcome run_all(const std::vector<PlannedRun>& runs, int threads, bool again, Bo
     team.look(outcome);
     board.show(team.lanes(), watch.seconds());
     if (team.at_work() == 0 && (outcome.interrupted || team.waiting() == 0)) return outcome;
-    std::this_thread::sleep_for(patience);
+    team.wait();
   }
 }
 

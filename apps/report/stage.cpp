@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 #include "apps/report/curves.hpp"
 #include "apps/report/html.hpp"
+#include "render/file.hpp"
+#include "render/read_png.hpp"
 #include "render/small_png.hpp"
 
 namespace fs = std::filesystem;
@@ -20,36 +20,23 @@ namespace {
 constexpr std::uintmax_t largest_movie = 40'000'000;  // that is embedded [bytes]
 constexpr std::size_t room_for_stills = 3'600'000;    // of all of them; base64 makes a third more [bytes]
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 struct Size {
-  unsigned width, height;
+  int width, height;
 };
 
-// Of pictures and movie, by the header of the first picture, else by the scene.
+// Of pictures and movie, by the first picture, else by the scene.
 Size size_of(const Report& report) {
   const render::Look& look = report.runs.front().run.scene.look;
-  Size size{static_cast<unsigned>(look.width), static_cast<unsigned>(look.height)};
-  if (report.stills.empty()) return size;
-  constexpr std::size_t place = 16;  // of width and height in a PNG, four bytes each
-  const std::string head = bytes_of(report.stills.front().file).substr(0, place + 8);
-  if (head.size() < place + 8) return size;
-  size = {};
-  for (std::size_t i = 0; i < 4; ++i) {
-    size.width = size.width << 8 | static_cast<unsigned char>(head[place + i]);
-    size.height = size.height << 8 | static_cast<unsigned char>(head[place + 4 + i]);
-  }
-  return size;
+  if (report.stills.empty()) return {look.width, look.height};
+  const render::Image first = render::read_png(report.stills.front().file);
+  return {first.width, first.height};
 }
 
 std::string movie_html(const fs::path& movie, const fs::path& folder) {
   const std::string ending = movie.extension();
   const bool embedded = fs::file_size(movie) <= largest_movie;
   const std::string type = ending == ".gif" ? "image/gif" : "video/" + ending.substr(1);
-  const std::string source = embedded ? data_url(type, bytes_of(movie)) : url_of(fs::proximate(movie, folder));
+  const std::string source = embedded ? data_url(type, render::read_file(movie)) : url_of(fs::proximate(movie, folder));
   if (ending == ".gif") return fmt::format("<img class=\"movie\" alt=\"The movie of the run\" src=\"{}\">\n", source);
   return fmt::format(
       "<video class=\"movie\" controls loop muted playsinline preload=\"auto\" aria-label=\"The movie of the run\" "

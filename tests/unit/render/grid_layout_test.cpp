@@ -4,35 +4,24 @@
 
 #include <cmath>
 
+#include "tests/unit/render/layout_boxes.hpp"
+
 using namespace seiche::render;
 
 namespace {
 
 // Of one panel.
 Needs needs(int width, int height, double view_width, double view_height) {
-  Needs all;
-  all.width = width;
-  all.height = height;
-  all.view_width = view_width;
-  all.view_height = view_height;
+  Needs all = seiche::test::needs(width, height, view_width, view_height);
   all.caption = 12;
-  all.clock = 6;
   all.key = 9;
-  all.ruler = 0.2 * view_width;
-  all.ruler_label = 3;
   all.bar_labels = 5;
-  all.bar_title = 6.5;
   all.curves = {{.title = 11, .key = 5, .labels = 4, .last_label = 1},
                 {.title = 16, .key = 5, .labels = 4, .last_label = 1}};
   return all;
 }
 
 std::vector<PanelNeeds> panels(std::size_t count) { return std::vector<PanelNeeds>(count, {.label = 4, .note = 11}); }
-
-bool apart(const Box& a, const Box& b) {
-  constexpr double slack = 1e-9;
-  return a.right() <= b.x + slack || b.right() <= a.x + slack || a.top() <= b.y + slack || b.top() <= a.y + slack;
-}
 
 void expect_good(const GridLayout& grid, int width, int height) {
   const Layout& around = grid.around;
@@ -43,13 +32,7 @@ void expect_good(const GridLayout& grid, int width, int height) {
   }
   for (const CurvePlace& place : around.curves)
     boxes.insert(boxes.end(), {place.plot, place.title, place.key, place.values, place.times});
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    EXPECT_GE(boxes[i].x, 0) << i;
-    EXPECT_GE(boxes[i].y, 0) << i;
-    EXPECT_LE(boxes[i].right(), width) << i;
-    EXPECT_LE(boxes[i].top(), height) << i;
-    for (std::size_t j = 0; j < i; ++j) EXPECT_TRUE(apart(boxes[i], boxes[j])) << i << " and " << j;
-  }
+  seiche::test::expect_inside_and_apart(boxes, width, height, 1e-9);
 }
 
 }  // namespace

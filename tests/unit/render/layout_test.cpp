@@ -2,34 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/render/layout_boxes.hpp"
+
 using namespace seiche::render;
+using seiche::test::expect_inside_and_apart;
+using seiche::test::needs;
 
 namespace {
-
-Needs needs(int width, int height, double view_width, double view_height) {
-  Needs all;
-  all.width = width;
-  all.height = height;
-  all.view_width = view_width;
-  all.view_height = view_height;
-  all.caption = 14;
-  all.clock = 6;
-  all.key = 12;
-  all.ruler = 0.2 * view_width;
-  all.ruler_label = 3;
-  all.bar_labels = 6;
-  all.bar_title = 6.5;
-  return all;
-}
 
 std::vector<CurveNeeds> curves(std::size_t count) {
   std::vector<CurveNeeds> all(count, {.title = 8, .key = 0, .labels = 4, .last_label = 1});
   if (count > 0) all[0].key = 18;
   return all;
-}
-
-bool apart(const Box& a, const Box& b) {
-  return a.right() <= b.x || b.right() <= a.x || a.top() <= b.y || b.top() <= a.y;
 }
 
 }  // namespace
@@ -53,13 +37,7 @@ TEST(Layout, NothingIsClippedAndNothingOverlaps) {
           boxes.insert(boxes.end(), {place.plot, place.title, place.values, place.times});
           if (place.key.width > 0) boxes.push_back(place.key);
         }
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
-          EXPECT_GE(boxes[i].x, 0) << i;
-          EXPECT_GE(boxes[i].y, 0) << i;
-          EXPECT_LE(boxes[i].right(), width) << i;
-          EXPECT_LE(boxes[i].top(), height) << i;
-          for (std::size_t j = 0; j < i; ++j) EXPECT_TRUE(apart(boxes[i], boxes[j])) << i << " and " << j;
-        }
+        expect_inside_and_apart(boxes, width, height);
         EXPECT_GE(layout.caption.width, all.caption * layout.font * 0.999) << "the caption is cut";
       }
     }
