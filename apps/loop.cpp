@@ -1,5 +1,6 @@
 #include "apps/loop.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "apps/frame_queue.hpp"
@@ -13,6 +14,20 @@ constexpr double sliver = 1e-6;
 
 long last_frame(const RunInfo& run) { return std::lround(std::ceil(run.end / run.frame_interval - sliver)); }
 
+bool is_finite(const Frame& frame) {
+  const auto finite = [](float value) { return std::isfinite(value); };
+  const auto all_finite = [&](const Float3& vector) { return std::ranges::all_of(vector, finite); };
+  return std::ranges::all_of(frame.position, all_finite) && std::ranges::all_of(frame.velocity, all_finite) &&
+         std::ranges::all_of(frame.pressure, finite) && std::ranges::all_of(frame.number_density, finite);
+}
+
+// The state that a run broke off in shows why, if it can be shown and isn't the last frame's already.
+void push_broken(Simulation& simulation, FrameQueue& queue, long index, double last_time) {
+  if (simulation.time() <= last_time) return;
+  const FramePtr frame = simulation.frame(index);
+  if (is_finite(*frame)) queue.push(frame);
+}
+
 // The loop itself; throws what the simulation throws, and breaks off once an output has failed.
 Ending::Status step_through(Simulation& simulation, FrameQueue& queue, const RunInfo& run, Progress& progress,
                             const std::function<bool()>& stop) {
@@ -21,7 +36,12 @@ Ending::Status step_through(Simulation& simulation, FrameQueue& queue, const Run
   for (long k = 0; k <= last; ++k) {
     const double target = k == last ? run.end : k * run.frame_interval;
     while (simulation.time() < target) {
-      simulation.step(target);
+      try {
+        simulation.step(target);
+      } catch (const RunFailure&) {
+        push_broken(simulation, queue, k, (k - 1) * run.frame_interval);
+        throw;
+      }
       if (queue.failed()) return Ending::Status::failed;
       progress.show({simulation.time(), run.end, k, last, simulation.statistics().steps, watch.seconds(), stop()});
     }

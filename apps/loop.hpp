@@ -22,7 +22,8 @@ struct Ending {
 std::string name(Ending::Status status);
 
 /// Steps the simulation from frame to frame and hands each to the outputs, the first at t = 0, the last at the end;
-/// they work on a thread of their own. A failed output ends the run within a step. Whatever happens, the outputs take
+/// they work on a thread of their own. Of a simulation that fails, the state that it broke off in is the last frame, if
+/// its values are finite. A failed output ends the run within a step. Whatever happens, the outputs take
 /// the frames that are there, and are ended.
 /// @param stop asked after each step; once it is true the run ends with the current frame
 Ending run_loop(Simulation& simulation, Outputs& outputs, const RunInfo& run, Progress& progress,

@@ -69,11 +69,8 @@ Json pressure(const Statistics& s) {
 }
 
 Json particles(const Statistics& s) {
-  return {{"fluid", s.fluid_particles},
-          {"wall", s.wall_particles},
-          {"dummy", s.dummy_particles},
-          {"leaked", s.leaked},
-          {"spilled", s.spilled}};
+  return {{"fluid", s.fluid_particles}, {"wall", s.wall_particles}, {"dummy", s.dummy_particles},
+          {"leaked", s.leaked},         {"spilled", s.spilled},     {"least_distance_m", s.least_distance}};
 }
 
 // By stage of a step and by output; the rest of the names tell what they are.
@@ -151,6 +148,9 @@ void read_statistics(const nlohmann::json& json, Statistics& s) {
   s.dummy_particles = particles.at("dummy");
   s.leaked = particles.at("leaked");
   s.spilled = particles.at("spilled");
+  // Null before it was measured; an older program didn't write it.
+  if (const auto least = particles.find("least_distance_m"); least != particles.end() && least->is_number())
+    s.least_distance = *least;
 }
 
 }  // namespace

@@ -160,6 +160,7 @@ void Mps<D>::measure_pairs() {
     std::visit([&](auto w) { range.pairs->measure(w, list_, s_); }, range.w);
   };
   measure(density_range_);
+  totals_.least_distance = std::min(totals_.least_distance, density_range_.pairs->least_distance());
   if (gradient_range_.pairs != density_range_.pairs) measure(gradient_range_);
   if (laplacian_range_.pairs != density_range_.pairs) measure(laplacian_range_);
 }

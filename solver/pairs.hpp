@@ -1,4 +1,8 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "solver/neighbours.hpp"
 
 namespace seiche::solver {
@@ -19,11 +23,19 @@ class Pairs {
       resize_kept(chunk.index, list.entries(first / chunk_rows));
       resize_kept(chunk.weight, list.entries(first / chunk_rows));
       int count = 0;
+      chunk.least_squared = std::numeric_limits<double>::infinity();
       for (int i = first; i < last; ++i) {
         row_[i].first = count;
         row_[i].last = count = add_row(w, list[i], s, i, chunk, count);
       }
     });
+  }
+
+  /// The least distance of two particles when last measured [m]; infinite if no two were listed.
+  double least_distance() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Chunk& chunk : chunk_) least = std::min(least, chunk.least_squared);
+    return std::sqrt(least);
   }
 
   /// Calls f(j, r_ij, w(r_ij)/r_ij^2) for each pair of i.
@@ -49,6 +61,7 @@ class Pairs {
   struct Chunk {
     std::vector<int> index;
     Scalars weight;
+    double least_squared;  ///< r^2 of its closest pair [m^2]
   };
 
   /// Writes the pairs of row i into the chunk from place `out` on; returns the place after them.
@@ -60,13 +73,14 @@ class Pairs {
     double* const weights = chunk.weight.data();
     // In blocks, first all that several pairs can share one instruction for, then what each does alone.
     constexpr int block = 64;
-    double squared[block], weight[block];
+    double squared[block], weight[block], least = chunk.least_squared;
     for (int begin = 0; begin < static_cast<int>(row.size()); begin += block) {
       const int* js = row.data() + begin;
       const int count = std::min<int>(block, row.size() - begin);
-#pragma omp simd
+#pragma omp simd reduction(min : least)
       for (int m = 0; m < count; ++m) {
         const double r2 = squared_distance<D>(s.position, js[m], ri);
+        least = std::min(least, r2);
         squared[m] = r2;
         weight[m] = w(std::sqrt(r2)) / r2;
       }
@@ -77,6 +91,7 @@ class Pairs {
         out += squared[m] < reach;
       }
     }
+    chunk.least_squared = least;
     return out;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -31,6 +32,8 @@ struct Statistics {
   long list_builds = 0;      ///< times the neighbour list was made anew
   double shortest_step = 0;  ///< [s]
   double longest_step = 0;   ///< [s]
+  /// of any two particles but dummies, whenever a step measured its pairs [m]
+  double least_distance = std::numeric_limits<double>::infinity();
   long fluid_particles = 0;  ///< still in the run
   long wall_particles = 0;
   long dummy_particles = 0;
@@ -45,8 +48,8 @@ class Simulation {
   virtual ~Simulation() = default;
 
   /// Takes one step, of a length by the rule of equation (18), such that some step ends exactly at `until`:
-  /// what is left to `until` is split into equal steps. Throws RunFailure, after which only frames taken before are of
-  /// use.
+  /// what is left to `until` is split into equal steps. Throws RunFailure; the state is then the one that the run broke
+  /// off in, whose values may not be finite.
   virtual void step(double until) = 0;
 
   virtual double time() const = 0;

@@ -109,8 +109,10 @@ Clock clock_of(const std::vector<ComparedRun>& runs) {
   Clock clock{runs.front().run.info.frame_interval, 0};
   for (const ComparedRun& each : runs) clock.interval = std::min(clock.interval, each.run.info.frame_interval);
   for (const ComparedRun& each : runs) {
-    const auto frames = static_cast<long>(std::ceil(last_time(each) / clock.interval - slack));
-    clock.last = std::max(clock.last, frames + (has_failed(each) ? 1 : 0));
+    const double frames = last_time(each) / clock.interval;
+    // One that failed has a picture after its last, to pale in.
+    const double last = has_failed(each) ? std::floor(frames + slack) + 1 : std::ceil(frames - slack);
+    clock.last = std::max(clock.last, static_cast<long>(last));
   }
   return clock;
 }

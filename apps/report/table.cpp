@@ -100,12 +100,22 @@ void add_measures(const Report& report, const std::vector<render::Reference>& re
        column([](const Measures& one) { return one.drift ? signed_text(100 * *one.drift) : std::string(); })});
 }
 
+// In initial spacings, so that runs of different resolution compare.
+std::string distance_cell(const ReportRun& run) {
+  const double least = run.run.record.statistics.least_distance;
+  return std::isfinite(least) ? fmt::format("{:.2g}", least / run.run.scene.parameters.particles.spacing) : "";
+}
+
 void add_costs(const Report& report, std::vector<Row>& rows) {
   const auto column = [&](auto text) {
     return cells(report, [&](const ReportRun& run) { return text(run.run.record.statistics); });
   };
   rows.push_back({"Particles lost", "", "Liquid particles that leaked through a wall or spilled over the rim.",
                   column([](const Statistics& s) { return fmt::format("{}", s.leaked + s.spilled); })});
+  rows.push_back(
+      {"Least distance", "l<sub>0</sub>",
+       "Of any two particles in any step, in initial spacings: 1 at rest, and the lower, the worse they clump.",
+       cells(report, distance_cell)});
   rows.push_back({"Time steps", "", "", column([](const Statistics& s) { return fmt::format("{}", s.steps); })});
   rows.push_back({"Pressure iterations a step", "", "", column([](const Statistics& s) {
                     return s.steps > 0 ? fmt::format("{:.1f}", static_cast<double>(s.iterations) / s.steps)

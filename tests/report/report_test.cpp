@@ -124,7 +124,8 @@ TEST_F(ReportInABrowser, ItsTableTellsHowTheRunWent) {
   EXPECT_EQ(text("tbody tr:first-child th"), "Outcome");
   EXPECT_EQ(text("tbody tr:first-child td"), "survived 0.48\u00a0s");
   const std::string table = text("table");
-  for (const char* row : {"Pressure noise, left bottom [% of ρgh]", "Level drift [%]", "Particles lost", "Time steps"})
+  for (const char* row : {"Pressure noise, left bottom [% of ρgh]", "Level drift [%]", "Particles lost",
+                          "Least distance [l0]", "Time steps"})
     EXPECT_NE(table.find(row), std::string::npos) << row;
   browser.shoot(shots / "laptop.png");
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace seiche::apps {
 namespace {
@@ -22,8 +23,11 @@ class FakeSimulation : public Simulation {
     auto frame = std::make_shared<Frame>();
     frame->index = index;
     frame->time = time_;
+    frame->pressure = {time_ >= fails_at_ ? last_pressure : 0};
     return frame;
   }
+
+  float last_pressure = 1e6;  // of the state that it breaks off in
 
  private:
   double time_ = 0, fails_at_;
@@ -99,15 +103,33 @@ TEST_F(LoopTest, RoundingMakesNoFrameOfItsOwn) {
   EXPECT_EQ(log.times, (std::vector<double>{0, 0.1, 0.2, 0.3}));
 }
 
-TEST_F(LoopTest, AFailureKeepsTheFramesBeforeItAndEndsTheOutputs) {
+TEST_F(LoopTest, AFailureKeepsTheFramesBeforeItAndTheStateThatItBrokeOffIn) {
   outputs.add("log", std::make_unique<FakeSink>(log));
   FakeSimulation simulation(0.45);
   const Ending ending = go(simulation);
   EXPECT_EQ(ending.status, Ending::Status::failed);
   EXPECT_EQ(ending.reason, "it blew up");
-  EXPECT_EQ(ending.frames, 5);
-  EXPECT_EQ(log.times.size(), 5u);
+  EXPECT_EQ(ending.frames, 6);
+  ASSERT_EQ(log.times.size(), 6u);
+  EXPECT_EQ(log.times[4], 0.4);
+  EXPECT_DOUBLE_EQ(log.times[5], 0.46);
+  EXPECT_EQ(ending.time, log.times[5]);
   EXPECT_EQ(log.ends, 1);
+}
+
+TEST_F(LoopTest, AStateThatIsNotFiniteIsNoFrame) {
+  outputs.add("log", std::make_unique<FakeSink>(log));
+  FakeSimulation simulation(0.45);
+  simulation.last_pressure = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(go(simulation).frames, 5);
+  EXPECT_EQ(log.times.back(), 0.4);
+}
+
+TEST_F(LoopTest, AFailureRightAfterAFrameAddsNone) {
+  outputs.add("log", std::make_unique<FakeSink>(log));
+  FakeSimulation simulation(0.4);
+  EXPECT_EQ(go(simulation).frames, 5);
+  EXPECT_EQ(log.times.back(), 0.4);
 }
 
 TEST_F(LoopTest, AStopFinishesTheCurrentFrame) {
@@ -155,7 +177,7 @@ TEST_F(LoopTest, FailuresOfTheRunAndOfAnOutputAreBothTold) {
   const Ending ending = go(simulation);
   EXPECT_EQ(ending.status, Ending::Status::failed);
   EXPECT_EQ(ending.reason, "it blew up; ffmpeg was killed");
-  EXPECT_EQ(ending.frames, 3);
+  EXPECT_EQ(ending.frames, 4);
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ file = "theory.csv"
     record.ending = Ending{Ending::Status::failed, "it blew up", 3, 0.25};
     record.statistics.steps = 40;
     record.statistics.leaked = 2;
+    record.statistics.least_distance = 0.0042;
     record.times.total = 7;
   }
 
@@ -78,9 +79,11 @@ TEST_F(StoredRunTest, KnowsHowTheRunEnded) {
   EXPECT_EQ(run.record.ending->time, 0.25);
   EXPECT_EQ(run.record.statistics.steps, 40);
   EXPECT_EQ(run.record.statistics.leaked, 2);
+  EXPECT_EQ(run.record.statistics.least_distance, 0.0042);
   EXPECT_EQ(run.record.times.total, 7);
   record = {};
   EXPECT_FALSE(stored().record.ending) << "still going";
+  EXPECT_TRUE(std::isinf(stored().record.statistics.least_distance)) << "not measured";
 }
 
 TEST_F(StoredRunTest, ReadsProbesUpToTheLastWholeLine) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "solver/kernels.hpp"
 #include "tests/unit/solver/cloud.hpp"
 
@@ -32,6 +35,27 @@ TYPED_TEST(PairsOf, AListAreThoseWithinTheSupportInItsOrder) {
     left_out += list[i].size() - expected.size();
   }
   EXPECT_GT(left_out, 0u) << "else the skin isn't tested";
+}
+
+TYPED_TEST(PairsOf, AListHaveALeastDistance) {
+  constexpr int D = TypeParam::D;
+  State<D> s = test::random_cloud<D>(700, -3 * l0, 3 * l0);  // of more than one chunk
+  for (std::size_t i = 0; i < s.size(); i += 5) s.kind[i] = Kind::dummy;
+  const KF4 w{1.5 * l0};
+  const auto least = [&](const auto& pairs) {
+    double value = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < s.size(); ++i)
+      for (std::size_t j = 0; j < s.size(); ++j)
+        if (j != i && s.kind[i] != Kind::dummy) value = std::min(value, (s.position[j] - s.position[i]).norm());
+    EXPECT_DOUBLE_EQ(pairs.least_distance(), value);
+  };
+  const auto list = test::listed(s, w.support, 0.5 * l0);
+  Pairs<D> pairs;
+  pairs.measure(w, list, s);
+  least(pairs);
+  for (auto& r : s.position) r *= 1.05;  // measured anew, it may rise
+  pairs.measure(w, list, s);
+  least(pairs);
 }
 
 TYPED_TEST(PairsOf, AKernelHaveItsWeightOverTheSquaredDistance) {

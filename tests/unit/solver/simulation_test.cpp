@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -51,6 +52,27 @@ TEST_P(SimulationIn, StepsLandExactlyOnUntil) {
     EXPECT_LE(simulation->statistics().longest_step, 0.01);
     EXPECT_GT(simulation->statistics().shortest_step, 0);
   }
+}
+
+TEST_P(SimulationIn, KnowsTheLeastDistanceOfTwoParticles) {
+  Parameters p = surging(GetParam());
+  p.motion.amplitude = 0.05;
+  const auto simulation = make_simulation(p, 0);
+  double least = 1;
+  while (simulation->time() < 0.05) {
+    const FramePtr frame = simulation->frame(0);
+    for (std::size_t i = 0; i < frame->size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        if (frame->kind[i] == Kind::dummy && frame->kind[j] == Kind::dummy) continue;
+        double squared = 0;
+        for (int a = 0; a < 3; ++a) squared += std::pow(frame->position[i][a] - frame->position[j][a], 2);
+        least = std::min(least, std::sqrt(squared));
+      }
+    if (simulation->time() == 0) EXPECT_NEAR(least, p.particles.spacing, 1e-6);
+    simulation->step(0.05);
+  }
+  EXPECT_LT(least, 0.99 * p.particles.spacing) << "else nothing moved";
+  EXPECT_NEAR(simulation->statistics().least_distance, least, 1e-6 * p.particles.spacing + 1e-7);
 }
 
 TEST_P(SimulationIn, StepsOfTheScenesOwnAreAllEqual) {

@@ -28,6 +28,7 @@ ComparedRun run_until(double time, double interval, Status status = Status::fini
   run.run.record.ending = Ending{status, "stopped at t = 1.0500 s, step 7: it leaks (particle 3)", 0, time, 0};
   for (long k = 0; static_cast<double>(k) * interval < time + 1e-9; ++k)
     run.frames.push_back({k, static_cast<double>(k) * interval, "x.vtu"});
+  if (run.frames.back().time < time - 1e-9) run.frames.push_back({run.frames.back().index + 1, time, "x.vtu"});
   return run;
 }
 
@@ -39,6 +40,8 @@ TEST(Clock, RunsInTheShortestIntervalUntilTheLongestRunEnds) {
 
 TEST(Clock, ShowsAFailureForOnePictureAtLeast) {
   EXPECT_EQ(clock_of({run_until(1, 0.1), run_until(1, 0.1, Status::failed)}).last, 11);
+  EXPECT_EQ(clock_of({run_until(1, 0.1), run_until(0.95, 0.1, Status::failed)}).last, 10);
+  EXPECT_EQ(clock_of({run_until(0.5, 0.1), run_until(0.95, 0.1, Status::failed)}).last, 10) << "later than its last";
 }
 
 TEST(FrameAt, IsTheLastOneUpToThen) {
