@@ -65,7 +65,7 @@ void Annotations::claim(Needs& needs, double foreshortened) const {
   }
 }
 
-void Annotations::place(vtkRenderer* renderer, const Layout& layout, double foreshortened, Rgb ink) {
+void Annotations::place(vtkRenderer* renderer, const Layout& layout, double foreshortened, double arrow_font, Rgb ink) {
   overlay_.emplace(renderer);
   if (look_.show_caption) {
     const std::string words = shortened(caption_, layout.caption.width / layout.font + 0.01);
@@ -74,7 +74,7 @@ void Annotations::place(vtkRenderer* renderer, const Layout& layout, double fore
   if (look_.show_clock)
     clock_ = overlay_->text("", layout.clock.right(), middle(layout.clock), layout.font, Align::right, ink);
   if (look_.show_ruler) place_ruler(layout, foreshortened, ink);
-  place_key(layout, ink);
+  place_key(layout, arrow_font, ink);
 }
 
 void Annotations::place_ruler(const Layout& layout, double foreshortened, Rgb ink) {
@@ -86,7 +86,7 @@ void Annotations::place_ruler(const Layout& layout, double foreshortened, Rgb in
   overlay_->text(metres(ruler_), x + length + 0.6 * font, y, font, Align::left, ink);
 }
 
-void Annotations::place_key(const Layout& layout, Rgb ink) {
+void Annotations::place_key(const Layout& layout, double arrow_font, Rgb ink) {
   double x = layout.key.x;
   const double y = middle(layout.key), font = layout.font, radius = 0.32 * font;
   const auto entry = [&](const char* words) {
@@ -95,11 +95,11 @@ void Annotations::place_key(const Layout& layout, Rgb ink) {
   };
   if (keyed_arrow()) {
     const ArrowScale scale = arrow_scale(run_, look_);
-    const double length = scale.length * scale.reference * font;
-    const ArrowShape arrow = placed(arrow_shape(length, font), {x + length / 2, y}, {1, 0});
+    const double length = scale.length * scale.reference * arrow_font, room = scale.length * scale.reference * font;
+    const ArrowShape arrow = placed(arrow_shape(length, arrow_font), {x + room - length / 2, y}, {1, 0});
     for (const Line& halo : {arrow.shaft_halo, arrow.head_halo}) overlay_->polygon(halo, Arrows::halo);
     for (const Line& dark : {arrow.shaft, arrow.head}) overlay_->polygon(dark, Arrows::ink);
-    overlay_->text(speed_text(scale.reference), x + length + after_arrow * font, y, font, Align::left, ink);
+    overlay_->text(speed_text(scale.reference), x + room + after_arrow * font, y, font, Align::left, ink);
     x += (arrow_width() + between) * font;
   }
   const SurfaceSign sign = surface_sign(look_);

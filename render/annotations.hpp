@@ -20,7 +20,8 @@ class Annotations {
   /// Fills in what they take up. The ruler's edge of the tank is seen `foreshortened` times its length.
   void claim(Needs& needs, double foreshortened) const;
 
-  void place(vtkRenderer* renderer, const Layout& layout, double foreshortened, Rgb ink);
+  /// @param arrow_font of the arrow in the key, as of those in the picture [pixels]
+  void place(vtkRenderer* renderer, const Layout& layout, double foreshortened, double arrow_font, Rgb ink);
   void set_time(double seconds);
 
  private:
@@ -29,7 +30,7 @@ class Annotations {
   double marks_width() const;  // in the key, in font heights
   double arrow_width() const;
   void place_ruler(const Layout& layout, double foreshortened, Rgb ink);
-  void place_key(const Layout& layout, Rgb ink);
+  void place_key(const Layout& layout, double arrow_font, Rgb ink);
 
   RunInfo run_;
   Look look_;

@@ -14,4 +14,9 @@ ArrowScale arrow_scale(const RunInfo& run, const Look& look) {
   return {3 * arrow_distance / greatest, greatest, round_below(0.5 * greatest)};
 }
 
+double arrow_font(double view_width, double font) {
+  constexpr double fewest = 8, smallest = 0.6;
+  return std::clamp(view_width / (fewest * arrow_distance), smallest * font, font);
+}
+
 }  // namespace seiche::render

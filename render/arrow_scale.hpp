@@ -14,6 +14,10 @@ struct ArrowScale {
 /// Arrows stand this far apart [font heights].
 constexpr double arrow_distance = 2.75;
 
+/// The font height that arrows go by: the text's, or less where the view is so narrow that fewer than eight would stand
+/// side by side; down to 0.6 of it [pixels].
+double arrow_font(double view_width, double font);
+
 /// An arrow is three times as long as arrows stand apart at the greatest speed of the scene's range, which few scenes
 /// reach, or of look.range where that is given as numbers for the speed.
 ArrowScale arrow_scale(const RunInfo& run, const Look& look);

@@ -116,10 +116,13 @@ Comparison::Stage::Stage(const std::vector<Variant>& variants, const Look& look,
   window->SetNumberOfLayers(2);
   window->AddRenderer(paper);
   set_background(paper, look, colours.paper);
+  double finest = longest.spacing;
+  for (const Variant& variant : variants) finest = std::min(finest, variant.run.spacing);
   for (std::size_t i = 0; i < variants.size(); ++i)
-    panels.push_back(std::make_unique<Panel>(window, paper, variants[i], i, look, view, layout, colours));
+    panels.push_back(std::make_unique<Panel>(window, paper, variants[i], i, look, view, layout, colours, finest));
   if (look.show_bar) bar.emplace(paper, layout.around, quantity, ColourMap(look.colour_map), colours.ink);
-  words->place(paper, layout.around, view.foreshortening(), colours.ink);
+  words->place(paper, layout.around, view.foreshortening(),
+               arrow_font(layout.panels.front().view.width, layout.around.font), colours.ink);
   strip.place(paper, layout.around, colours);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace seiche::render {
 namespace {
@@ -17,6 +18,13 @@ std::string trimmed(const std::string& text) {
 bool is_elevation(const std::string& name) { return name.starts_with("eta_"); }
 bool is_pressure(const std::string& name) { return name.starts_with("p_"); }
 using Columns = std::vector<std::size_t>;
+
+// "[m\u00b2]" of "[m^2]".
+std::string raised_powers(std::string unit) {
+  for (const auto& [plain, raised] : {std::pair{"^2", "\u00b2"}, {"^3", "\u00b3"}})
+    if (const auto place = unit.find(plain); place != std::string::npos) unit.replace(place, 2, raised);
+  return unit;
+}
 
 void add(Columns& columns, std::size_t column) {
   if (columns.size() < most_curves && std::find(columns.begin(), columns.end(), column) == columns.end())
@@ -67,7 +75,7 @@ std::string curve_title(const std::string& column) {
   if (is_pressure(name)) kind = "pressure, ", name.erase(0, 2);
   std::replace(name.begin(), name.end(), '_', ' ');
   return fmt::format("{}{}{}{}", kind, name, unit == std::string::npos ? "" : " ",
-                     unit == std::string::npos ? "" : column.substr(unit));
+                     unit == std::string::npos ? "" : raised_powers(column.substr(unit)));
 }
 
 std::vector<std::size_t> chosen_columns(const Look& look, const std::vector<std::string>& sensors) {

@@ -55,9 +55,9 @@ Painter::Stage::Stage(const RunInfo& run, const Look& look, const std::vector<Se
   window->AddRenderer(renderer);
   set_background(renderer, look, colours.paper);
   view.aim(renderer, layout, look.width, look.height);
-  tank.emplace(renderer, run, look, layout, colours);
+  tank.emplace(renderer, run, look, layout, colours, run.spacing);
   if (look.show_bar) bar.emplace(renderer, layout, quantity, ColourMap(look.colour_map), colours.ink);
-  words->place(renderer, layout, view.foreshortening(), colours.ink);
+  words->place(renderer, layout, view.foreshortening(), arrow_font(layout.view.width, layout.font), colours.ink);
   strip.place(renderer, layout, colours);
 }
 

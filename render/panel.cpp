@@ -29,7 +29,7 @@ double middle(const Box& box) { return box.y + box.height / 2; }
 }  // namespace
 
 Panel::Panel(vtkRenderWindow* window, vtkRenderer* words, const Variant& variant, std::size_t number, const Look& look,
-             const View& view, const GridLayout& layout, const Palette& colours)
+             const View& view, const GridLayout& layout, const Palette& colours, double finest)
     : place_(layout.panels[number]), font_(layout.around.font), words_(words) {
   const Box& box = place_.view;
   for (vtkRenderer* renderer : {tank_.Get(), veil_.Get()}) {
@@ -42,7 +42,7 @@ Panel::Panel(vtkRenderWindow* window, vtkRenderer* words, const Variant& variant
   Layout inside = layout.around;
   inside.view = {0, 0, box.width, box.height};
   view.aim(tank_, inside, static_cast<int>(box.width), static_cast<int>(box.height));
-  view_.emplace(tank_, variant.run, look, inside, colours);
+  view_.emplace(tank_, variant.run, look, inside, colours, finest);
   place_label(variant, number, colours);
   place_message(variant, colours);
 }
@@ -61,7 +61,7 @@ void Panel::place_label(const Variant& variant, std::size_t number, const Palett
     note_ = words_.text("", place_.note.right(), middle(place_.note), font_, Align::right, colours.ink);
 }
 
-// Lines in the middle of the panel, on paper; parts that have no room are left out.
+// Lines at the top of the panel, above what liquid there is, on paper; parts that have no room are left out.
 void Panel::place_message(const Variant& variant, const Palette& colours) {
   const Box& box = place_.view;
   Overlay(veil_, veiled).box({0, 0, box.width, box.height}, colours.paper);
@@ -78,8 +78,9 @@ void Panel::place_message(const Variant& variant, const Palette& colours) {
   const auto count = static_cast<double>(lines.size());
   const double width = (widest + 2 * message_pad) * font_, height = count * line + message_pad * font_;
   Overlay paper(veil_);
-  paper.box({(box.width - width) / 2, (box.height - height) / 2, width, height}, colours.paper);
-  double y = (box.height + (count - 1) * line) / 2;
+  const double top = box.height - std::min(message_pad * font_, box.height - height);
+  paper.box({(box.width - width) / 2, top - height, width, height}, colours.paper);
+  double y = top - (height - (count - 1) * line) / 2;
   for (const std::string& words : lines) {
     paper.text(words, box.width / 2, y, font_, Align::centre, colours.ink);
     y -= line;

@@ -19,9 +19,10 @@ namespace seiche::render {
 /// message over it.
 class Panel {
  public:
-  /// What its camera shows is all of `view`. `number`: of the run, which says how its curve is drawn.
+  /// What its camera shows is all of `view`. `number`: of the run, which says how its curve is drawn. `finest`: least
+  /// spacing of all runs [m].
   Panel(vtkRenderWindow* window, vtkRenderer* words, const Variant& variant, std::size_t number, const Look& look,
-        const View& view, const GridLayout& layout, const Palette& colours);
+        const View& view, const GridLayout& layout, const Palette& colours, double finest);
   ~Panel();
 
   void show(const PanelFrame& frame, Range range, const std::string& note);

@@ -97,12 +97,13 @@ vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(const Disc& disc) {
 
 }  // namespace
 
-Particles::Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke)
+Particles::Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke,
+                     double finest)
     : quantity_(quantity_of(look.quantity)), map_(look.colour_map) {
   if (run.dimension == 3)
     make_spheres(renderer, run, look, scale, stroke);
   else
-    make_discs(renderer, run, look, scale, stroke);
+    make_discs(renderer, run, look, scale, stroke, finest);
 }
 
 void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke) {
@@ -125,7 +126,8 @@ void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Lo
   }
 }
 
-void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke) {
+void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke,
+                           double finest) {
   const bool dots = look.style == "dot";
   const auto discs = [&](const Disc& disc) {
     auto layer = std::make_unique<Layer>(renderer, disc_mapper(disc));
@@ -136,7 +138,7 @@ void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look
   // Large discs stand apart; small ones close up, lest the gaps of a lattice make moire. All are rimmed but the
   // smallest, so that each particle can be seen.
   const double pixels = run.spacing * scale;
-  const double closed = dots ? 0 : std::clamp((16 - pixels) / 6, 0.0, 1.0);
+  const double closed = dots ? 0 : std::clamp((16 - finest * scale) / 6, 0.0, 1.0);
   const double shade = dots ? 0 : 0.28 * std::clamp((pixels - 2) / 4, 0.0, 1.0);
   const double half = run.spacing * (dots ? 0.28 : 0.5);
   const double radius = half * (1 + 0.5 * closed);

@@ -14,8 +14,9 @@ namespace seiche::render {
 /// The particles of a frame in a renderer. 2-D: flat discs; 3-D: spheres, where walls are left to the tank's outline.
 class Particles {
  public:
-  /// `scale`: pixels for each metre; `stroke`: width of the free surface's marks [pixels].
-  Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke);
+  /// `scale`: pixels for each metre; `stroke`: width of the free surface's marks [pixels]; `finest`: least spacing of
+  /// the runs in one picture, whose discs all close up or none [m].
+  Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke, double finest);
   ~Particles();
 
   /// Takes over a frame's particles, of a tank that stands as `pose` says. Of the fluid only spray is shown where the
@@ -32,7 +33,8 @@ class Particles {
  private:
   struct Layer;
   void make_spheres(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke);
-  void make_discs(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke);
+  void make_discs(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke,
+                  double finest);
 
   Rgb wall(Kind kind) const;
 

@@ -71,7 +71,10 @@ Ticks round_ticks(Range range) { return round_ticks(range, usual_steps); }
 std::string tick_label(double value, double step) {
   const double size = std::abs(value);
   const char* sign = value < 0 ? "\u2212" : "";  // a minus, longer than a hyphen
-  if (std::max(size, step) >= 1e6 || step < 1e-4) return fmt::format("{}{:.4g}", sign, size);
+  if (std::max(size, step) >= 1e6 || step < 1e-6) {
+    const int digits = size > 0 ? static_cast<int>(std::floor(std::log10(size / step) + slack)) + 2 : 1;
+    return fmt::format("{}{:.{}g}", sign, size, std::max(1, digits));  // two of a step, which may be 2.5
+  }
   int decimals = 0;
   for (double rest = step; std::abs(rest - std::round(rest)) > 1e-6 * rest; rest *= 10) ++decimals;
   return fmt::format("{}{:.{}f}", sign, size, decimals);

@@ -22,14 +22,27 @@ double middle(const SensorCurve& curve) {
   return first == values.end() ? 0 : *first;
 }
 
-// A quarter of what the still liquid has; of the motion all of it, which is known.
+bool rests_at_zero(const std::string& name) {
+  return name.starts_with("eta_") || is_motion(name) || name == "force_x" || name == "force_z" ||
+         name == "kinetic_energy";
+}
+
+// A share of what the still liquid has, as one expects it to change; of the motion all of it, which is known.
 double reach_of(const std::string& column, const RunInfo& run) {
   const std::string name = bare_name(column);
   if (name == "surge" && run.sway[0] != 0) return run.sway[0];
   if (name == "heave" && run.sway[1] != 0) return run.sway[1];
-  if (column.ends_with("[Pa]")) return 0.25 * run.density * std::abs(run.gravity) * run.depth;
-  if (column.ends_with("[m]")) return 0.25 * run.depth;
-  return 1;
+  const double specific = run.density * std::abs(run.gravity);
+  const double volume = run.tank[0] * run.depth * (run.dimension == 3 ? run.tank[2] : 1);
+  const auto is_in = [&](const char* unit) { return column.find(unit) != std::string::npos; };
+  double reach = 1;
+  if (is_in("[Pa]")) reach = 0.25 * specific * run.depth;
+  if (is_in("[m]")) reach = 0.25 * run.depth;
+  if (is_in("[m^")) reach = 0.01 * volume;
+  if (is_in("[J")) reach = 0.01 * specific * volume * run.depth;
+  if (is_in("[N")) reach = 0.1 * specific * volume;
+  if (is_in("[N m")) reach = 0.1 * specific * volume * run.tank[0];
+  return reach > 0 ? reach : 1;
 }
 
 }  // namespace
@@ -41,7 +54,7 @@ std::vector<SensorCurve> sensor_curves(const RunInfo& run, const Look& look) {
     const std::string& name = run.sensors[column];
     SensorCurve curve{.title = curve_title(name), .end = run.end, .reach = reach_of(name, run), .traces = {}};
     curve.traces.push_back({.colour = palette(look.background).curve, .column = column});
-    curve.about_zero = !name.ends_with("[Pa]");
+    curve.about_zero = rests_at_zero(bare_name(name));
     for (const Reference& reference : look.references)
       if (reference.of == bare_name(name)) curve.references.push_back(reference);
     curves.push_back(std::move(curve));

@@ -41,19 +41,20 @@ void set_background(vtkRenderer* renderer, const Look& look, Rgb paper) {
 }
 
 TankView::TankView(vtkRenderer* renderer, const RunInfo& run, const Look& look, const Layout& layout,
-                   const Palette& colours)
+                   const Palette& colours, double finest)
     : run_(run), moves_(look.view == "lab"), quantity_(quantity_of(look.quantity)) {
   if (look.show_tank) {
     tank_.push_back(tank_outline(run, layout.line / layout.scale, colours.outline));
     if (run.dimension == 3) tank_.push_back(tank_back(run, colours.shade));
     for (const auto& part : tank_) renderer->AddActor(part);
   }
-  particles_.emplace(renderer, run, look, layout.scale, std::max(1.2, 0.08 * layout.font));
+  particles_.emplace(renderer, run, look, layout.scale, std::max(1.2, 0.08 * layout.font), finest);
   const bool smooth = look.style == "smooth", lined = surface_sign(look) == SurfaceSign::line;
   if (smooth || lined) field_.emplace(run, std::max(0.25 * run.spacing, 1 / layout.scale));
   if (smooth) liquid_.emplace(renderer, *field_, ColourMap(look.colour_map));
   if (lined) surface_.emplace(renderer, run, layout.font / layout.scale);
-  if (look.show_arrows) arrows_.emplace(renderer, run, arrow_scale(run, look), layout.scale, layout.font);
+  if (look.show_arrows)
+    arrows_.emplace(renderer, run, arrow_scale(run, look), layout.scale, arrow_font(layout.view.width, layout.font));
 }
 
 void TankView::show(const Frame& frame, Range range) {

@@ -29,7 +29,9 @@ void set_background(vtkRenderer* renderer, const Look& look, Rgb paper);
 /// A run's tank with its liquid, in a renderer.
 class TankView {
  public:
-  TankView(vtkRenderer* renderer, const RunInfo& run, const Look& look, const Layout& layout, const Palette& colours);
+  /// `finest`: least spacing of the runs in the picture [m].
+  TankView(vtkRenderer* renderer, const RunInfo& run, const Look& look, const Layout& layout, const Palette& colours,
+           double finest);
 
   void show(const Frame& frame, Range range);
 

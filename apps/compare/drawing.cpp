@@ -39,6 +39,28 @@ RunInfo info_of_all(const std::vector<ComparedRun>& runs, double interval) {
   return info;
 }
 
+double interval_of(const ComparedRun& run) { return run.run.info.frame_interval; }
+
+// The least multiple of the longest interval that is one of all.
+double common_interval(const std::vector<ComparedRun>& runs) {
+  constexpr int most = 10;  // pictures left out between two
+  const auto shorter = [](const ComparedRun& a, const ComparedRun& b) { return interval_of(a) < interval_of(b); };
+  const auto [shortest, longest] = std::minmax_element(runs.begin(), runs.end(), shorter);
+  for (int k = 1; k <= most; ++k) {
+    const double interval = k * interval_of(*longest);
+    const auto fits = [&](const ComparedRun& run) {
+      const double frames = interval / interval_of(run);
+      return std::abs(frames - std::round(frames)) < slack * frames;
+    };
+    if (std::all_of(runs.begin(), runs.end(), fits)) return interval;
+  }
+  throw BadFolder(fmt::format(
+      "{} has {:.4g} frames a second and {} {:.4g}: too few of their times are the same to show them side by side; run "
+      "one again with the other's output.frame_rate",
+      longest->run.folder.string(), 1 / interval_of(*longest), shortest->run.folder.string(),
+      1 / interval_of(*shortest)));
+}
+
 // The frames of one run, each read when its time comes.
 class Reel {
  public:
@@ -106,19 +128,19 @@ ComparedRun compared(std::string label, StoredRun run) {
 }
 
 Clock clock_of(const std::vector<ComparedRun>& runs) {
-  Clock clock{runs.front().run.info.frame_interval, 0};
-  for (const ComparedRun& each : runs) clock.interval = std::min(clock.interval, each.run.info.frame_interval);
+  Clock clock{common_interval(runs), 0, 0};
   for (const ComparedRun& each : runs) {
     const double frames = last_time(each) / clock.interval;
     // One that failed has a picture after its last, to pale in.
     const double last = has_failed(each) ? std::floor(frames + slack) + 1 : std::ceil(frames - slack);
     clock.last = std::max(clock.last, static_cast<long>(last));
+    clock.end = std::max(clock.end, has_failed(each) ? last * clock.interval : last_time(each));
   }
   return clock;
 }
 
 std::size_t frame_at(const ComparedRun& run, double time) {
-  const double latest = time + slack * run.run.info.frame_interval;
+  const double latest = time + slack * interval_of(run);
   const auto after = std::upper_bound(run.frames.begin(), run.frames.end(), latest,
                                       [](double t, const StoredFrame& frame) { return t < frame.time; });
   return after == run.frames.begin() ? 0 : static_cast<std::size_t>(after - run.frames.begin()) - 1;
@@ -139,11 +161,10 @@ render::Variant variant_of(const ComparedRun& run, double end) {
 bool draw(const std::vector<ComparedRun>& runs, const render::Look& look, const Pictures& pictures,
           const std::function<bool(long, long)>& told) {
   const Clock clock = clock_of(runs);
-  const double end = clock.interval * static_cast<double>(clock.last);
   std::vector<render::Variant> variants;
   std::vector<Reel> reels;
   for (const ComparedRun& each : runs) {
-    variants.push_back(variant_of(each, end));
+    variants.push_back(variant_of(each, clock.end));
     reels.emplace_back(each);
   }
   render::Comparison comparison(std::move(variants), look);
@@ -157,7 +178,7 @@ bool draw(const std::vector<ComparedRun>& runs, const render::Look& look, const 
   for (long number = 0; going && number <= clock.last; ++number) {
     Frame now;
     now.index = number;
-    now.time = clock.interval * static_cast<double>(number);
+    now.time = clock.time(number);
     std::vector<render::PanelFrame> frames;
     for (Reel& reel : reels) frames.push_back(reel.at(now.time, clock.interval));
     const render::Image image =

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -21,12 +22,17 @@ struct ComparedRun {
 /// Throws BadFolder where the run has no frames, or what can't be used.
 ComparedRun compared(std::string label, StoredRun run);
 
-/// The clock that all runs are shown under: from 0 on in the shortest of their frame intervals, until each has shown
-/// its last frame, and one that failed its message.
+/// The clock that all runs are shown under: from 0 on in the shortest interval at whose ends every run has a frame,
+/// until each has shown its last one, and one that failed its message.
 struct Clock {
   double interval = 0;  ///< [s]
   long last = 0;        ///< number of the last picture
+  double end = 0;       ///< its time, no later than there is something new to show [s]
+
+  double time(long number) const { return std::min(interval * static_cast<double>(number), end); }
 };
+
+/// Throws BadFolder where the runs' frame rates have hardly a time in common.
 Clock clock_of(const std::vector<ComparedRun>& runs);
 
 /// Number of the frame that a run shows at a time: its last one up to then.

@@ -55,6 +55,12 @@ TEST(Arrows, ScaleIsTheScenesOrTheRangeOfTheSpeed) {
   EXPECT_NEAR(arrow_scale(run, look).length, 10 * scene.greatest * scene.length, 1e-9);
 }
 
+TEST(Arrows, ShrinkWhereFewerThanEightWouldStandSideBySide) {
+  EXPECT_EQ(arrow_font(600, 20), 20);
+  EXPECT_DOUBLE_EQ(arrow_font(330, 20), 15);
+  EXPECT_EQ(arrow_font(100, 20), 12) << "too small to see";
+}
+
 TEST(Arrows, ReachFromTailToTipInTheirDirection) {
   for (const double length : {0.3, 1.0, 5.0}) {
     const ArrowShape arrow = placed(arrow_shape(length, 1), {1, 2}, {0, 1});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 
 #include "tests/unit/render/synthetic.hpp"
 
@@ -102,6 +103,21 @@ TEST(Ticks, LabelsHaveTheDigitsThatTheStepNeeds) {
   EXPECT_EQ(tick_label(7.5, 2.5), "7.5");
   EXPECT_EQ(tick_label(-20, 10), "\u221220");
   EXPECT_EQ(tick_label(2e6, 1e6), "2e+06");
+  EXPECT_EQ(tick_label(1.0005e6, 500), "1.0005e+06");
+  EXPECT_EQ(tick_label(0.12005, 5e-5), "0.12005");
+  EXPECT_EQ(tick_label(-7.5e-7, 2.5e-7), "\u22127.5e-07");
+  EXPECT_EQ(tick_label(0, 2.5e-7), "0");
+}
+
+TEST(Ticks, LabelsDifferWhereverTheAxisIs) {
+  for (const double middle : {0.0, 0.12, 1.0, 1962.0, 3.5e6})
+    for (const double span : {1e-8, 3e-7, 1e-5, 2e-4, 0.03, 4.0, 5e5}) {
+      if (span < 1e-9 * middle) continue;  // beyond what a sensor resolves
+      const Ticks ticks = round_ticks({middle, middle + span});
+      std::set<std::string> labels;
+      for (const double value : ticks.values) labels.insert(tick_label(value, ticks.step));
+      EXPECT_EQ(labels.size(), ticks.values.size()) << middle << " and on by " << span;
+    }
 }
 
 TEST(Ruler, IsRoundAndNotLonger) {

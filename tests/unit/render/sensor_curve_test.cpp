@@ -52,6 +52,21 @@ TEST(AxisRange, BeginsWithAQuarterOfWhatTheStillLiquidHas) {
   expect_range(pressure, 1400, 2600);
 }
 
+TEST(AxisRange, OfAVolumeShowsItsDrift) {
+  RunInfo run = test::run_with_sensors({});
+  run.tank = {0.6, 0.4, 0};
+  run.sensors = {"volume [m^2]", "force_y [N/m]", "potential_energy [J/m]"};
+  Look look;
+  look.curves = "volume, force_y, potential_energy";
+  auto curves = sensor_curves(run, look);
+  EXPECT_EQ(curves[0].title, "volume [m\u00b2]");
+  const Readings first{{0}, {0.12, -1177.2, 117.72}};
+  for (SensorCurve& curve : curves) record(curve, first);
+  expect_range(curves[0], 0.1185, 0.1215);  // 0.12 and a hundredth to either side
+  expect_range(curves[1], -1300, -1050);    // the weight and a tenth of it
+  expect_range(curves[2], 115, 121);        // and a hundredth, between round numbers
+}
+
 TEST(AxisRange, StandsStillUntilReadingsLeaveItThenDoublesOnThatSide) {
   SensorCurve curve = curve_of("eta_left");
   read(curve, 0, 0);

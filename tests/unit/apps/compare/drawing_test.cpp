@@ -20,9 +20,20 @@ using test::Scratch;
 using test::write_text;
 using Status = Ending::Status;
 
+template <class F>
+std::string refusal(F f) {
+  try {
+    f();
+  } catch (const BadFolder& error) {
+    return error.what();
+  }
+  return "";
+}
+
 // A run with a frame at each interval up to a time.
 ComparedRun run_until(double time, double interval, Status status = Status::finished) {
   ComparedRun run;
+  run.run.folder = fmt::format("run-{:.6g}", interval);
   run.run.info.frame_interval = interval;
   run.run.info.end = 10;
   run.run.record.ending = Ending{status, "stopped at t = 1.0500 s, step 7: it leaks (particle 3)", 0, time, 0};
@@ -32,16 +43,36 @@ ComparedRun run_until(double time, double interval, Status status = Status::fini
   return run;
 }
 
-TEST(Clock, RunsInTheShortestIntervalUntilTheLongestRunEnds) {
+TEST(Clock, RunsInTheShortestIntervalThatAllRunsHaveFramesAt) {
+  EXPECT_DOUBLE_EQ(clock_of({run_until(2, 0.04), run_until(3, 0.02), run_until(1, 0.02)}).interval, 0.04);
   const Clock clock = clock_of({run_until(2, 0.04), run_until(3, 0.02), run_until(1, 0.1)});
-  EXPECT_EQ(clock.interval, 0.02);
-  EXPECT_EQ(clock.last, 150);
+  EXPECT_DOUBLE_EQ(clock.interval, 0.2);
+  EXPECT_EQ(clock.last, 15) << "until the longest run ends";
+  EXPECT_DOUBLE_EQ(clock.end, 3);
+  EXPECT_DOUBLE_EQ(clock.time(7), 1.4);
+}
+
+TEST(Clock, EndsWithTheLastFrameThoughThatIsNoWholeNumberOfIntervals) {
+  const Clock clock = clock_of({run_until(0.3, 0.04), run_until(0.25, 0.04)});
+  EXPECT_EQ(clock.last, 8);
+  EXPECT_DOUBLE_EQ(clock.end, 0.3);
+  EXPECT_DOUBLE_EQ(clock.time(7), 0.28);
+  EXPECT_DOUBLE_EQ(clock.time(8), 0.3);
+}
+
+TEST(Clock, RefusesRatesWithHardlyATimeInCommon) {
+  const std::string what = refusal([] { clock_of({run_until(1, 1 / 24.), run_until(1, 1 / 25.)}); });
+  EXPECT_EQ(what,
+            "run-0.0416667 has 24 frames a second and run-0.04 25: too few of their times are the same to show them "
+            "side by side; run one again with the other's output.frame_rate");
 }
 
 TEST(Clock, ShowsAFailureForOnePictureAtLeast) {
   EXPECT_EQ(clock_of({run_until(1, 0.1), run_until(1, 0.1, Status::failed)}).last, 11);
-  EXPECT_EQ(clock_of({run_until(1, 0.1), run_until(0.95, 0.1, Status::failed)}).last, 10);
-  EXPECT_EQ(clock_of({run_until(0.5, 0.1), run_until(0.95, 0.1, Status::failed)}).last, 10) << "later than its last";
+  const Clock clock = clock_of({run_until(1, 0.1), run_until(0.95, 0.1, Status::failed)});
+  EXPECT_EQ(clock.last, 10);
+  EXPECT_DOUBLE_EQ(clock.end, 1);
+  EXPECT_DOUBLE_EQ(clock_of({run_until(0.5, 0.1), run_until(0.95, 0.1, Status::failed)}).end, 1) << "after its last";
 }
 
 TEST(FrameAt, IsTheLastOneUpToThen) {
@@ -123,20 +154,13 @@ TEST(Compared, ItsCurvesAtTheMarkEqualTheCsv) {
 TEST(Compared, ARunWithoutFramesIsRefused) {
   const Scratch scratch;
   const ComparedRun run = stored(scratch);
-  const auto refusal = [&] {
-    try {
-      compared("tank", read_run(run.run.folder));
-    } catch (const BadFolder& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  EXPECT_EQ(refusal(), "");
+  const auto again = [&] { compared("tank", read_run(run.run.folder)); };
+  EXPECT_EQ(refusal(again), "");
   std::filesystem::remove(run.frames[1].file);
-  EXPECT_EQ(refusal(), run.frames[1].file.string() + " isn't there, though the run lists it; run it again");
+  EXPECT_EQ(refusal(again), run.frames[1].file.string() + " isn't there, though the run lists it; run it again");
   std::filesystem::remove(run.run.folder / "tank.vtu.series");
-  EXPECT_EQ(refusal(), run.run.folder.string() +
-                           " has no VTU files, from which its pictures are drawn; run it with output.vtu = true");
+  EXPECT_EQ(refusal(again), run.run.folder.string() +
+                                " has no VTU files, from which its pictures are drawn; run it with output.vtu = true");
 }
 
 }  // namespace
