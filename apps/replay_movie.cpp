@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "apps/output_folder.hpp"
 #include "apps/replay_setup.hpp"
+#include "render/file.hpp"
 #include "render/read_png.hpp"
 
 namespace fs = std::filesystem;
@@ -83,9 +86,19 @@ void check_file(const fs::path& file, const StoredRun& run, bool overwrite) {
         fmt::format("{} exists; choose another name with -o FILE, or replace it with --overwrite", file.string()));
 }
 
-// Whether the run has pictures, or will have.
+// Whether the run has pictures, or will have. Where one is missing between others, all are drawn anew, or can't be.
 bool has_pictures(const ReplayRequest& request, const StoredRun& run) {
-  return !stored_pictures(run).empty() || (request.latest && run.scene.output.pictures && !run.record.ending);
+  auto pictures = listed_pictures(run);
+  std::erase_if(pictures, [&](const StoredFrame& each) { return !request.frames.holds(each); });
+  const auto apart = [](const StoredFrame& a, const StoredFrame& b) { return b.index != a.index + 1; };
+  const auto gap = std::adjacent_find(pictures.begin(), pictures.end(), apart);
+  if (gap != pictures.end() && run.scene.output.vtu) return false;
+  if (gap != pictures.end())
+    throw BadFolder(
+        fmt::format("the picture after {} isn't there, and without VTU files it can't be drawn anew; "
+                    "choose others with --frames A:B",
+                    gap->file.string()));
+  return !pictures.empty() || (request.latest && run.scene.output.pictures && !run.record.ending);
 }
 
 }  // namespace
@@ -96,23 +109,32 @@ int replay_movie(const ReplayRequest& request) {
   const OutputFolder own{request.run, replay.scene.name};
   const fs::path file =
       request.output.empty() ? PictureFolder{own.drawn_again(), own.scene}.movie("mp4") : request.output;
-  const bool decoded = request.look.empty() && has_pictures(request, replay.run);
   const SignalWatch signals;
+  const bool decoded = request.look.empty() && has_pictures(request, replay.run);
   FrameList list = list_files(request, replay.run, decoded ? listed_pictures : stored_frames, signals);
   check_file(file, replay.run, request.overwrite);
   const render::Look& look = replay.scene.look;
   render::check_movie(file, look.width, look.height);
 
+  // One that is replaced stays until the other is whole.
+  const bool replaced = fs::exists(file);
+  const fs::path made = replaced ? render::partial_name(file) : file;
   Replayed ended;
   if (decoded) {
-    ended = encode_again(request, replay, std::move(list), file, signals);
+    ended = encode_again(request, replay, std::move(list), made, signals);
   } else {
     render::gl_description();
     std::vector<std::unique_ptr<render::ImageSink>> takers;
-    takers.push_back(render::movie(file));
+    takers.push_back(render::movie(made));
     ended = draw_again(request, replay, std::move(list), std::move(takers), signals);
   }
-  return say_closing(request, ended, watch.seconds(), {{"movie", file}});
+  if (!replaced) return say_closing(request, ended, watch.seconds(), {{"movie", file}});
+  const bool whole = ended.trouble.empty() && !ended.interrupted;
+  if (whole)
+    render::publish(file);
+  else
+    fs::remove(made);
+  return say_closing(request, ended, watch.seconds(), {{whole ? "movie" : "as before", file}});
 }
 
 }  // namespace seiche::apps

@@ -11,6 +11,7 @@
 
 #include "apps/exit_codes.hpp"
 #include "apps/look_change.hpp"
+#include "apps/output_folder.hpp"
 #include "apps/replay_frames.hpp"
 #include "apps/run_info.hpp"
 #include "render/range.hpp"
@@ -27,10 +28,12 @@ bool names(const ReplayRequest& request, const std::string& key) {
 
 // Curves need probes.csv; without it they are left out, unless they are asked for.
 void check_curves(const ReplayRequest& request, const StoredRun& run, Scene& scene) {
-  if (scene.output.probes || scene.look.curves == "none") return;
+  const bool there = !run.record.ending || std::filesystem::exists(OutputFolder{run.folder, scene.name}.probes());
+  if ((scene.output.probes && there) || scene.look.curves == "none") return;
   if (names(request, "look.curves"))
-    throw BadFolder(fmt::format("{} has no readings to draw curves of: it was run with output.probes = false",
-                                run.folder.string()));
+    throw BadFolder(
+        fmt::format("{} has no readings to draw curves of: {}", run.folder.string(),
+                    scene.output.probes ? "its probes.csv isn't there" : "it was run with output.probes = false"));
   scene.look.curves = "none";
 }
 
@@ -98,6 +101,7 @@ FrameList list_files(const ReplayRequest& request, const StoredRun& run, FrameLi
   FrameList list(run, look, request.frames, request.latest ? patience(signals) : FrameList::Wait{});
   const bool to_come = request.latest && !run.record.ending && (look != stored_frames || run.scene.output.vtu);
   if (list.found().empty() && !to_come) throw BadFolder(why_nothing(run, look));
+  check_there(list.found());
   return list;
 }
 

@@ -28,6 +28,14 @@ long index_in(const fs::path& file) {
   return index;
 }
 
+// Fit for a user, who knows nothing of the library.
+std::string trouble_of(const nlohmann::json::exception& error) {
+  if (const auto* damage = dynamic_cast<const nlohmann::json::parse_error*>(&error))
+    return fmt::format("it is damaged or cut off at byte {}; run it again", damage->byte);
+  const std::string what = error.what();
+  return fmt::format("it isn't as Seiche writes it: {}", what.substr(std::min(what.size(), what.find("] ") + 2)));
+}
+
 }  // namespace
 
 StoredRun read_run(const fs::path& folder) {
@@ -47,6 +55,8 @@ StoredRun read_run(const fs::path& folder) {
       read_samples(nlohmann::json::parse(render::read_file(file = more)), run.scene);
     run.info = run_info(run.scene);
     run.info.version = json.at("seiche");
+  } catch (const nlohmann::json::exception& error) {
+    throw BadFolder(fmt::format("{} can't be used: {}", file.string(), trouble_of(error)));
   } catch (const std::exception& error) {
     throw BadFolder(fmt::format("{} can't be used: {}", file.string(), error.what()));
   }
@@ -64,9 +74,15 @@ std::vector<StoredFrame> stored_frames(const StoredRun& run) {
       frames.push_back({index_in(name), entry.at("time"), run.folder / name});
     }
   } catch (const nlohmann::json::exception& error) {
-    throw BadFolder(fmt::format("{} can't be used: {}", list.string(), error.what()));
+    throw BadFolder(fmt::format("{} can't be used: {}", list.string(), trouble_of(error)));
   }
   return frames;
+}
+
+void check_there(const std::vector<StoredFrame>& frames) {
+  for (const StoredFrame& frame : frames)
+    if (!fs::exists(frame.file))
+      throw BadFolder(fmt::format("{} isn't there, though the run lists it; run it again", frame.file.string()));
 }
 
 std::vector<fs::path> stored_pictures(const StoredRun& run) {

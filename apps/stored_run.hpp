@@ -32,6 +32,9 @@ struct StoredFrame {
 /// What NAME.vtu.series lists so far, in order; none where the run wrote none. Throws BadFolder.
 std::vector<StoredFrame> stored_frames(const StoredRun& run);
 
+/// Throws BadFolder for the first whose file isn't there.
+void check_there(const std::vector<StoredFrame>& frames);
+
 /// The run's pictures, frames/000123.png, in order.
 std::vector<std::filesystem::path> stored_pictures(const StoredRun& run);
 

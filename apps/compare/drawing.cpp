@@ -112,6 +112,17 @@ render::Range range_of(const std::vector<render::PanelFrame>& frames, render::Qu
   return render::rounded(*range);
 }
 
+// Readings are written before the frame that they lead up to.
+void check_readings(const ComparedRun& run) {
+  if (!run.run.scene.output.probes || run.run.info.sensors.empty()) return;
+  const auto& times = run.readings.time;
+  const double read = times.empty() ? 0 : times.back() + 2 / run.run.scene.output.probe_rate;
+  if (read < last_time(run) && !(times.empty() && last_time(run) == 0))
+    throw BadFolder(fmt::format(
+        "{} {}, though the run's frames go on to {:.3g} s; run it again", (run.run.folder / "probes.csv").string(),
+        times.empty() ? "has no readings" : fmt::format("ends at {:.3g} s", times.back()), last_time(run)));
+}
+
 }  // namespace
 
 ComparedRun compared(std::string label, StoredRun run) {
@@ -120,10 +131,9 @@ ComparedRun compared(std::string label, StoredRun run) {
   if (all.frames.empty())
     throw BadFolder(fmt::format("{} has no VTU files, from which its pictures are drawn; run it with output.vtu = true",
                                 all.run.folder.string()));
-  for (const StoredFrame& frame : all.frames)
-    if (!std::filesystem::exists(frame.file))
-      throw BadFolder(fmt::format("{} isn't there, though the run lists it; run it again", frame.file.string()));
+  check_there(all.frames);
   all.readings = stored_readings(all.run);
+  check_readings(all);
   return all;
 }
 

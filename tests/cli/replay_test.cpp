@@ -72,11 +72,39 @@ TEST_F(Replay, FilmsPicturesAsTheyAreAndVtuFilesOtherwise) {
   EXPECT_EQ(facts_of(scratch / "slow.mp4"), "320,240,5/1,3");
   run({"movie", "out/quick", "-o", "lab.gif", "--view", "lab", "--size", "101x95", "--fps", "10"});
   EXPECT_EQ(facts_of(scratch / "lab.gif"), "101,95,10/1,6");
-  fs::remove_all(out / "vtu");
-  fs::remove_all(out / "frames");
-  const Result result = seiche(scratch.folder(), {"movie", "out/quick", "-o", "none.mp4"});
+}
+
+TEST_F(Replay, DrawsAnewWhatPicturesAreMissing) {
+  run(run_until("0.2"));
+  fs::remove(out / "frames/000003.png");
+  run({"movie", "out/quick", "-o", "a.mp4"});
+  EXPECT_EQ(facts_of(scratch / "a.mp4"), "320,240,25/1,6");
+  fs::remove(out / "vtu/quick_000004.vtu");
+  for (const std::string verb : {"render", "movie"}) {
+    const Result result = seiche(scratch.folder(), {verb, "out/quick", "-o", "none.mp4"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err,
+              "seiche: out/quick/vtu/quick_000004.vtu isn't there, though the run lists it; run it again\n");
+    EXPECT_FALSE(fs::exists(scratch / "none.mp4"));
+  }
+  run({"movie", "out/quick", "-o", "b.mp4", "--frames", "4:"});
+  EXPECT_EQ(facts_of(scratch / "b.mp4"), "320,240,25/1,2") << "whose pictures are there";
+}
+
+TEST_F(Replay, AMovieThatIsReplacedStaysUntilTheOtherIsWhole) {
+  run(run_until("0.2"));
+  run({"movie", "out/quick", "-o", "a.mp4"});
+  const std::string before = read_file(scratch / "a.mp4");
+  write_text(out / "vtu/quick_000004.vtu", "damaged");
+  const Result result =
+      seiche(scratch.folder(), {"movie", "out/quick", "--style", "dot", "-o", "a.mp4", "--overwrite"});
   EXPECT_EQ(result.code, 1);
-  EXPECT_NE(result.err.find("quick_000000.vtu isn't there"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("quick_000004.vtu can't be read"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("  as before a.mp4\n"), std::string::npos) << result.err;
+  EXPECT_TRUE(read_file(scratch / "a.mp4") == before);
+  EXPECT_FALSE(fs::exists(scratch / ".part-a.mp4"));
+  run({"movie", "out/quick", "--speed", "0.5", "-o", "a.mp4", "--overwrite"});
+  EXPECT_EQ(facts_of(scratch / "a.mp4"), "320,240,25/2,6");
 }
 
 TEST_F(Replay, BadInputIsRefusedInOneSentenceAndNothingIsWritten) {
@@ -95,7 +123,8 @@ TEST_F(Replay, BadInputIsRefusedInOneSentenceAndNothingIsWritten) {
     EXPECT_EQ(error_of({verb, "nowhere"}), "seiche: nowhere isn't there" + expected);
     EXPECT_EQ(error_of({verb, "empty"}), "seiche: empty is empty" + expected);
     EXPECT_EQ(error_of({verb, "out"}), "seiche: out has no run.json" + expected);
-    EXPECT_TRUE(error_of({verb, "half"}).starts_with("seiche: half/run.json can't be used: "));
+    EXPECT_TRUE(error_of({verb, "half"})
+                    .starts_with("seiche: half/run.json can't be used: it is damaged or cut off at byte 16"));
     EXPECT_EQ(error_of({verb, "out/quick", "--set", "look.colour_mop=turbo"}),
               "--set look.colour_mop=turbo: 'look.colour_mop' is no key of a scene; did you mean 'look.colour_map'?\n");
     EXPECT_EQ(error_of({verb, "out/quick", "--set", "motion.amplitude=1"}),
@@ -124,6 +153,13 @@ TEST_F(Replay, WithoutVtuFilesItSaysSoButFilmsThePictures) {
   EXPECT_EQ(result.err, "seiche: out/quick has no VTU files to draw from: it was run with output.vtu = false\n");
   run({"movie", "out/quick", "-o", "a.mp4"});
   EXPECT_EQ(facts_of(scratch / "a.mp4"), "320,240,25/1,3");
+  fs::remove(out / "frames/000001.png");
+  const Result gap = seiche(scratch.folder(), {"movie", "out/quick", "-o", "b.mp4"});
+  EXPECT_EQ(gap.code, 2);
+  EXPECT_EQ(
+      gap.err,
+      "seiche: the picture after out/quick/frames/000000.png isn't there, and without VTU files it can't be drawn "
+      "anew; choose others with --frames A:B\n");
 }
 
 TEST_F(Replay, LatestFollowsARunToItsEnd) {

@@ -156,6 +156,16 @@ TEST(Compared, ARunWithoutFramesIsRefused) {
   const ComparedRun run = stored(scratch);
   const auto again = [&] { compared("tank", read_run(run.run.folder)); };
   EXPECT_EQ(refusal(again), "");
+  const auto probes = scratch / "run/probes.csv";
+  std::string text = test::read_file(probes);
+  std::filesystem::rename(probes, scratch / "probes.csv");
+  EXPECT_EQ(refusal(again),
+            probes.string() + " has no readings, though the run's frames go on to 0.04 s; run it again");
+  write_text(probes, text.substr(0, text.find("0.010000")));
+  EXPECT_EQ(refusal(again),
+            probes.string() + " ends at 0.009 s, though the run's frames go on to 0.04 s; run it again");
+  write_text(probes, text);
+  EXPECT_EQ(refusal(again), "");
   std::filesystem::remove(run.frames[1].file);
   EXPECT_EQ(refusal(again), run.frames[1].file.string() + " isn't there, though the run lists it; run it again");
   std::filesystem::remove(run.run.folder / "tank.vtu.series");
