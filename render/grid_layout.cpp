@@ -35,13 +35,12 @@ PanelPlace panel_at(const Needs& needs, const Layout& around, std::size_t column
   return place;
 }
 
-// Notes stand at the right, above all panels or above none.
+// Notes stand at the right, above the panels whose labels leave room for them.
 void place_notes(GridLayout& grid, const std::vector<PanelNeeds>& panels) {
   const double f = grid.around.font;
-  for (std::size_t i = 0; i < panels.size(); ++i)
-    if ((panels[i].label + panels[i].note + beside_label) * f > grid.panels[i].label.width) return;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     Box &label = grid.panels[i].label, &note = grid.panels[i].note;
+    if ((panels[i].label + panels[i].note + beside_label) * f > label.width) continue;
     note = label;
     note.width = panels[i].note * f;
     note.x = label.right() - note.width;

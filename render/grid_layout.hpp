@@ -18,7 +18,7 @@ struct PanelNeeds {
 struct PanelPlace {
   Box view;   ///< what its camera shows, its left and lower edge on whole pixels
   Box label;  ///< above it
-  Box note;   ///< beside the label; without width where it has no room in one of the panels
+  Box note;   ///< beside the label; without width where it has no room
 };
 
 /// A picture of several panels.

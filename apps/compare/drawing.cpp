@@ -158,6 +158,9 @@ std::size_t frame_at(const ComparedRun& run, double time) {
 
 render::Variant variant_of(const ComparedRun& run, double end) {
   render::Variant variant{run.run.info, run.label, {}, has_failed(run)};
+  const Statistics& totals = run.run.record.statistics;
+  if (totals.leaked > 0) variant.label += fmt::format(", {} leaked", totals.leaked);
+  if (totals.spilled > 0) variant.label += fmt::format(", {} spilled", totals.spilled);
   const auto& ending = run.run.record.ending;
   if (!ending)
     variant.message = {fmt::format("unfinished: ends at {:.3g} s", last_time(run))};

@@ -38,7 +38,7 @@ Clock clock_of(const std::vector<ComparedRun>& runs);
 /// Number of the frame that a run shows at a time: its last one up to then.
 std::size_t frame_at(const ComparedRun& run, double time);
 
-/// How the run appears beside others that last until `end`.
+/// How the run appears beside others that last until `end`: its label tells of particles that it lost by its own end.
 render::Variant variant_of(const ComparedRun& run, double end);
 
 /// Where the pictures go.

@@ -105,6 +105,16 @@ TEST(Variant, SaysWhyItsFramesEnd) {
   EXPECT_FALSE(variant_of(killed, 10).failed);
 }
 
+TEST(Variant, TellsOfLostParticles) {
+  ComparedRun run = run_until(1, 0.1);
+  run.label = "KF5";
+  EXPECT_EQ(variant_of(run, 1).label, "KF5");
+  run.run.record.statistics.leaked = 7;
+  EXPECT_EQ(variant_of(run, 1).label, "KF5, 7 leaked");
+  run.run.record.statistics.spilled = 12;
+  EXPECT_EQ(variant_of(run, 1).label, "KF5, 7 leaked, 12 spilled");
+}
+
 // A run of the synthetic tank in a folder, read back.
 ComparedRun stored(const Scratch& scratch) {
   const std::filesystem::path folder = scratch / "run";
