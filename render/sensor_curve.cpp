@@ -24,7 +24,7 @@ double middle(const SensorCurve& curve) {
 
 bool rests_at_zero(const std::string& name) {
   return name.starts_with("eta_") || is_motion(name) || name == "force_x" || name == "force_z" ||
-         name == "kinetic_energy";
+         name.ends_with("_energy");
 }
 
 // A share of what the still liquid has, as one expects it to change; of the motion all of it, which is known.
