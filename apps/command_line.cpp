@@ -57,8 +57,7 @@ void add_compare(CLI::App& app, compare::Request& request, int& code) {
   CLI::App* verb = app.add_subcommand("compare", "Run variants of a scene side by side, and show them under one clock")
                        ->group("Verbs")
                        ->footer(help::compare_footer);
-  verb->add_option("what", request.what, "a scene to vary, or folders of runs that are done")
-      ->required()
+  verb->add_option("what", request.what, "a scene to vary, or two or more folders of runs that are done")
       ->type_name("SCENE|DIR...");
   verb->add_option("--vary", request.vary,
                    "a key of the scene and the values that it takes; given several times: every combination")
@@ -75,7 +74,8 @@ void add_compare(CLI::App& app, compare::Request& request, int& code) {
   verb->add_option("--size", request.size, "of pictures and movie")->type_name("WxH")->capture_default_str();
   add_threads(*verb, request.threads);
   verb->add_flag("--quiet", request.quiet, "print nothing but errors");
-  verb->add_flag("--overwrite", request.overwrite, "run all variants anew; other files in the folder stay");
+  verb->add_flag("--overwrite", request.overwrite,
+                 "run all variants anew, or replace an earlier comparison; other files in the folder stay");
   verb->callback([&request, &code] { code = compare::compare(request); });
 }
 

@@ -48,7 +48,8 @@ constexpr const char* compare_footer = R"(Examples:
   seiche compare out/mine out/theirs --range frame -o out/both
 
 Variants are run as many at a time as cores and memory allow; one that fails doesn't stop the others. Ctrl-C ends them
-all with their current frames. Of a scene compared before, variants that are done aren't run again.
+all with their current frames. Of a scene compared before, variants that are done aren't run again. A run of other
+parameters in a variant's folder, or a comparison of other runs, is refused without --overwrite.
 
 Writes, under out/<scene>-compare/ or the folder of -o:
   compare.mp4           the movie: 1 to 9 panels under one clock, curves of all below them

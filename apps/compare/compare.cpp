@@ -3,19 +3,17 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "apps/compare/drawing.hpp"
+#include "apps/compare/folder.hpp"
 #include "apps/compare/runs.hpp"
 #include "apps/exit_codes.hpp"
-#include "apps/output_folder.hpp"
 #include "apps/report.hpp"
-#include "apps/run_info.hpp"
 #include "apps/signals.hpp"
 #include "apps/stopwatch.hpp"
-#include "render/file.hpp"
 #include "render/grid_layout.hpp"
 #include "render/outputs.hpp"
 
@@ -23,17 +21,6 @@ namespace fs = std::filesystem;
 
 namespace seiche::apps::compare {
 namespace {
-
-constexpr const char* name = "compare";  // of the movie, and of the file that tells such a folder
-
-fs::path note_in(const fs::path& folder) { return folder / (std::string(name) + ".json"); }
-
-// A comparison may be made again in its folder; what else is in a folder stays untouched.
-void check_folder(const Request& request, const fs::path& folder) {
-  if (fs::exists(OutputFolder{folder, name}.record()))
-    throw BadFolder(fmt::format("{} is the folder of a run; choose another with -o DIR", folder.string()));
-  OutputFolder{folder, name}.check(request.overwrite || fs::exists(note_in(folder)));
-}
 
 render::Look with_size(render::Look look, const std::string& size) {
   Scene scene;
@@ -44,16 +31,10 @@ render::Look with_size(render::Look look, const std::string& size) {
   return look;
 }
 
-void check_pictures(const Request& request, const render::Look& look, const fs::path& folder) {
+void check_pictures(const Request& request, const render::Look& look) {
   render::check_look(look);
-  render::check_movie(OutputFolder{folder, name}.movie(request.movie), look.width, look.height);
+  render::check_movie(files_in(request.folder).movie(request.movie), look.width, look.height);
   render::gl_description();
-}
-
-void write_note(const fs::path& folder, const std::vector<std::pair<std::string, fs::path>>& runs) {
-  nlohmann::ordered_json json{{"seiche", version()}, {"runs", nlohmann::ordered_json::array()}};
-  for (const auto& [label, place] : runs) json["runs"].push_back({{"label", label}, {"folder", place.string()}});
-  render::write_file(note_in(folder), json.dump(2) + "\n");
 }
 
 // One page of all runs, with the movie and pictures that have been drawn.
@@ -70,8 +51,8 @@ void report(const std::vector<ComparedRun>& runs, const OutputFolder& files, con
 // What comes after the runs: pictures, movie, and the last words.
 int show(const Request& request, const std::vector<ComparedRun>& runs, const render::Look& look, const fs::path& folder,
          const SignalWatch& signals, const Stopwatch& watch) {
-  const OutputFolder files{folder, name};
-  files.prepare();
+  const OutputFolder files = files_in(folder);
+  Draft draft(folder);
   Board board(Progress::suitable(request.quiet));
   const Stopwatch drawing;
   const auto told = [&](long number, long last) {
@@ -81,11 +62,17 @@ int show(const Request& request, const std::vector<ComparedRun>& runs, const ren
     board.show({lane}, drawing.seconds());
     return !signals.caught();
   };
-  const bool whole = draw(runs, look, {files.frames(), files.movie(request.movie)}, told);
-  if (whole) report(runs, files, request.movie);
+  const bool whole = draw(runs, look, {draft.files().frames(), draft.files().movie(request.movie)}, told);
+  if (whole) report(runs, draft.files(), request.movie);
+  // Part of a movie is better than none, but not than an earlier one.
+  const bool kept = !whole && !stored_pictures({folder, {}, {}, {}}).empty();
+  if (!kept) draft.publish();
   if (!request.quiet) {
-    fmt::print("{} after {}\n  movie     {}\n  pictures  {}\n", whole ? "Done" : "Interrupted",
-               clock_text(watch.seconds()), files.movie(request.movie).string(), (files.frames() / "").string());
+    fmt::print("{} after {}{}\n", whole ? "Done" : "Interrupted", clock_text(watch.seconds()),
+               kept ? "; the earlier movie and pictures are kept" : "");
+    if (!kept)
+      fmt::print("  movie     {}\n  pictures  {}\n", files.movie(request.movie).string(),
+                 (files.frames() / "").string());
     if (whole) fmt::print("  report    {}\n", files.report().string());
   }
   return whole ? done : interrupted;
@@ -97,13 +84,15 @@ int compare_scene(const Request& request) {
       request.folder.empty() ? fs::path("out") / (fs::path(scene).stem().string() + "-compare") : request.folder;
   const auto runs = plan(scene, request.vary, request.settings, folder);
   const render::Look look = with_size(runs.front().scene.look, request.size);
-  check_folder(request, folder);
-  check_pictures(request, look, folder);
+  check_pictures(request, look);
+  std::vector<Place> places;
+  for (const PlannedRun& run : runs) places.push_back({run.label, run.folder});
+  const FolderLock lock(folder);
+  check_folder(folder, places, request.overwrite);
+  if (!request.overwrite) std::for_each(runs.begin(), runs.end(), check_kept);
 
   const Stopwatch watch;
   const SignalWatch signals;
-  std::vector<std::pair<std::string, fs::path>> places;
-  for (const PlannedRun& run : runs) places.emplace_back(run.label, run.folder.filename());
   write_note(folder, places);
   Board board(Progress::suitable(request.quiet));
   const int threads = request.threads > 0 ? request.threads : omp_get_num_procs();
@@ -128,14 +117,14 @@ int compare_scene(const Request& request) {
 }
 
 // Names that tell the runs apart: by what differs in their scenes if that is little, else by their folders.
-std::vector<std::string> labels_of(const std::vector<StoredRun>& runs) {
+std::vector<std::string> names_of(const std::vector<StoredRun>& runs) {
   constexpr std::size_t little = 3;
   std::vector<const Scene*> scenes;
   for (const StoredRun& run : runs) scenes.push_back(&run.scene);
   const auto keys = differences(scenes);
-  std::vector<std::string> labels, folders, paths;
+  const auto labels = labels_of(scenes, keys);
+  std::vector<std::string> folders, paths;
   for (const StoredRun& run : runs) {
-    labels.push_back(label_of(run.scene, keys));
     folders.push_back(fs::absolute(run.folder).lexically_normal().filename().string());
     paths.push_back(run.folder.string());
   }
@@ -163,30 +152,46 @@ render::Look look_of(const Request& request, const StoredRun& first) {
   return with_size(scene.look, request.size);
 }
 
+// Two at least, each another one.
+void check_folders(const std::vector<std::string>& folders) {
+  if (folders.size() < 2)
+    throw std::invalid_argument(fmt::format(
+        "{} alone can't be compared; give two or more folders of runs, or a scene with --vary", folders.front()));
+  std::error_code missing;  // read_run tells it better
+  for (std::size_t k = 0; k < folders.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i)
+      if (fs::equivalent(folders[i], folders[k], missing))
+        throw std::invalid_argument(
+            fmt::format("{} and {} are the same folder; leave one out", folders[i], folders[k]));
+  if (folders.size() > render::most_panels)
+    throw std::invalid_argument(
+        fmt::format("{} runs are too many; a picture has room for {}", folders.size(), render::most_panels));
+}
+
 int compare_folders(const Request& request) {
   if (!request.vary.empty())
     throw std::invalid_argument(
         fmt::format("--vary {}: these runs are done; give a scene to vary it", request.vary.front()));
-  if (request.what.size() > render::most_panels)
-    throw std::invalid_argument(
-        fmt::format("{} runs are too many; a picture has room for {}", request.what.size(), render::most_panels));
+  check_folders(request.what);
   std::vector<StoredRun> stored;
   for (const std::string& folder : request.what) stored.push_back(read_run(folder));
   const render::Look look = look_of(request, stored.front());
-  const auto labels = labels_of(stored);
+  const auto labels = names_of(stored);
   std::vector<ComparedRun> runs;
-  std::vector<std::pair<std::string, fs::path>> places;
+  std::vector<Place> places;
   for (std::size_t i = 0; i < stored.size(); ++i) {
     if (stored[i].info.dimension != stored.front().info.dimension)
       throw std::invalid_argument(fmt::format("{} is a {}-D run and {} a {}-D one; they can't share a picture",
                                               request.what[i], stored[i].info.dimension, request.what.front(),
                                               stored.front().info.dimension));
     runs.push_back(compared(labels[i], std::move(stored[i])));
-    places.emplace_back(labels[i], runs.back().run.folder);
+    places.push_back({labels[i], runs.back().run.folder});
   }
-  const fs::path folder = request.folder.empty() ? fs::path("out") / name : request.folder;
-  check_folder(request, folder);
-  check_pictures(request, look, folder);
+  clock_of(runs);  // throws where they can't share one
+  check_pictures(request, look);
+  const fs::path folder = request.folder.empty() ? "out/compare" : request.folder;
+  const FolderLock lock(folder);
+  check_folder(folder, places, request.overwrite);
   const Stopwatch watch;
   const SignalWatch signals;
   write_note(folder, places);
@@ -196,6 +201,8 @@ int compare_folders(const Request& request) {
 }  // namespace
 
 int compare(const Request& request) {
+  if (request.what.empty())
+    throw std::invalid_argument("nothing to compare; give a scene with --vary, or two or more folders of runs");
   if (fs::is_directory(request.what.front())) return compare_folders(request);
   if (request.what.size() > 1)
     throw std::invalid_argument(fmt::format(

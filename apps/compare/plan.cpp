@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <map>
 #include <stdexcept>
 
 #include "apps/output_folder.hpp"
@@ -28,6 +27,58 @@ double particles(const Parameters& p) {
   return cells(p.tank.length) * cells(p.tank.height) * cells(p.tank.width);
 }
 
+void refuse_what_pictures_need(const std::vector<Override>& settings) {
+  for (const Override& each : settings)
+    if ((each.key == "output.vtu" || each.key == "output.probes") && each.value == "false")
+      throw std::invalid_argument(
+          fmt::format("{}: the comparison is drawn from VTU files and readings; leave it out", each.origin));
+}
+
+// As the user typed them, as in "method.kernel=KF1 particles.spacing=0.02".
+std::string typed(const std::vector<Override>& values) {
+  std::string all;
+  for (const Override& each : values) all += fmt::format("{}{}={}", all.empty() ? "" : " ", each.key, each.value);
+  return all;
+}
+
+void refuse_clashes(const std::vector<PlannedRun>& runs, const std::vector<std::vector<Override>>& values) {
+  const auto refuse = [&](std::size_t i, std::size_t k, const std::string& what) {
+    throw std::invalid_argument(fmt::format("--vary: {} and {} {}", typed(values[i]), typed(values[k]), what));
+  };
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    for (std::size_t i = 0; i < k; ++i) {
+      if (simulated_hash(runs[i].scene) == simulated_hash(runs[k].scene))
+        refuse(i, k, "are the same run; leave one out");
+      if (runs[i].folder == runs[k].folder) refuse(i, k, "would have the same folder; give one another name");
+    }
+    const int first = runs.front().scene.parameters.dimension(), other = runs[k].scene.parameters.dimension();
+    if (first != other)
+      refuse(0, k, fmt::format("are a {}-D run and a {}-D one; they can't share a picture", first, other));
+  }
+}
+
+std::vector<const Scene*> scenes_of(const std::vector<PlannedRun>& runs) {
+  std::vector<const Scene*> scenes;
+  for (const PlannedRun& run : runs) scenes.push_back(&run.scene);
+  return scenes;
+}
+
+// What is simulated, sampled and how often.
+Scene simulated(Scene scene) {
+  scene.look = {};
+  scene.output = {.probe_rate = scene.output.probe_rate, .frame_rate = scene.output.frame_rate};
+  return scene;
+}
+
+// The first key in which they differ, as in " with time.end = 0.3, not 0.2"; lists and files have no such value.
+std::string difference(const Scene& stored, const Scene& planned) {
+  const Scene a = simulated(stored), b = simulated(planned);
+  for (const Option& option : options())
+    if (const Value is = value_of(option, a), wanted = value_of(option, b); is != wanted)
+      return fmt::format(" with {} = {}, not {}", dotted(option), text_of(is), text_of(wanted));
+  return " with other parameters";
+}
+
 }  // namespace
 
 std::vector<PlannedRun> plan(const std::string& scene, const std::vector<std::string>& vary,
@@ -38,32 +89,26 @@ std::vector<PlannedRun> plan(const std::string& scene, const std::vector<std::st
     varied.push_back(parse_vary(each));
     keys.push_back(varied.back().option);
   }
+  refuse_what_pictures_need(settings);
+  const auto combined = combinations(varied, settings);
   std::vector<PlannedRun> runs;
-  std::map<std::string, std::string> labels;  // by what is simulated
-  for (const auto& values : combinations(varied, settings)) {
+  for (const auto& values : combined) {
     PlannedRun run;
     run.settings = {set("output.pictures", "false"), set("output.movie", "none"), set("output.report", "false")};
     run.settings.insert(run.settings.end(), settings.begin(), settings.end());
     run.settings.insert(run.settings.end(), values.begin(), values.end());
     run.settings.insert(run.settings.end(), {set("output.vtu", "true"), set("output.probes", "true")});
     run.scene = read_scene(scene, run.settings);
-    run.label = label_of(run.scene, keys);
     run.folder = folder / folder_of(run.scene, keys);
-    const auto [same, is_new] = labels.emplace(simulated_hash(run.scene), run.label);
-    if (!is_new)
-      throw std::invalid_argument(
-          fmt::format("--vary: {} and {} are the same run; leave one out", same->second, run.label));
     runs.push_back(std::move(run));
   }
+  refuse_clashes(runs, combined);
+  const auto labels = labels_of(scenes_of(runs), keys);
+  for (std::size_t i = 0; i < runs.size(); ++i) runs[i].label = labels[i];
   return runs;
 }
 
-std::string simulated_hash(const Scene& scene) {
-  Scene plain = scene;
-  plain.look = {};
-  plain.output = {.probe_rate = scene.output.probe_rate, .frame_rate = scene.output.frame_rate};
-  return scene_hash(plain);
-}
+std::string simulated_hash(const Scene& scene) { return scene_hash(simulated(scene)); }
 
 bool is_done(const PlannedRun& run) {
   try {
@@ -74,6 +119,28 @@ bool is_done(const PlannedRun& run) {
   } catch (const BadFolder&) {
     return false;  // not there, or half of it
   }
+}
+
+void check_kept(const PlannedRun& run) {
+  namespace fs = std::filesystem;
+  OutputFolder{run.folder, run.scene.name}.check(true);
+  if (!fs::exists(run.folder) || fs::is_empty(run.folder)) return;
+  const auto refuse = [&](const std::string& what) {
+    throw BadFolder(fmt::format("{} {}; choose another folder with -o DIR, or replace what is there with --overwrite",
+                                run.folder.string(), what));
+  };
+  StoredRun stored;
+  try {
+    stored = read_run(run.folder);
+  } catch (const BadFolder&) {
+    refuse("isn't empty, and holds no run that can be read");
+  }
+  const auto& ending = stored.record.ending;
+  const bool ended = ending && ending->status != Ending::Status::interrupted;
+  const std::string held = ended ? "holds a finished run" : "holds an unfinished run";
+  if (simulated_hash(stored.scene) != simulated_hash(run.scene)) refuse(held + difference(stored.scene, run.scene));
+  if (ended && stored.info.version != version())
+    refuse(fmt::format("{} of seiche {}, not {}", held, stored.info.version, version()));
 }
 
 double memory_of(const Scene& scene) {

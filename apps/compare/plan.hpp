@@ -18,7 +18,8 @@ struct PlannedRun {
 };
 
 /// One for each combination of the varied values. They write VTU files and readings, but pictures and movies of their
-/// own only where `settings` asks for them. Throws BadScene, std::invalid_argument.
+/// own only where `settings` asks for them. Throws BadScene, std::invalid_argument, which also tells runs that are the
+/// same, or can't share a picture.
 std::vector<PlannedRun> plan(const std::string& scene, const std::vector<std::string>& vary,
                              const std::vector<Override>& settings, const std::filesystem::path& folder);
 
@@ -27,6 +28,10 @@ std::string simulated_hash(const Scene& scene);
 
 /// Whether its folder holds it already: the same simulation by the same version of the program, at its end.
 bool is_done(const PlannedRun& run);
+
+/// Throws BadFolder where its folder holds what running it would destroy: anything but a run of the same simulation
+/// that didn't come to its end, or is_done.
+void check_kept(const PlannedRun& run);
 
 /// What a run takes, about [bytes].
 double memory_of(const Scene& scene);

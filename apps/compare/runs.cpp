@@ -19,6 +19,7 @@ namespace {
 
 constexpr int between_looks = 250;  // at how far the runs have come [ms]
 
+// What it may not overwrite has been refused by check_kept.
 std::vector<std::string> command(const PlannedRun& run, int threads) {
   std::vector<std::string> words{"seiche", "run", run.scene.file};
   for (const Override& each : run.settings) words.insert(words.end(), {"--set", each.key + "=" + each.value});

@@ -1,6 +1,9 @@
 // Comparisons of small scenes: what they run, write and say.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -69,9 +72,95 @@ TEST(Compare, WhatIsDoneIsNotRunAgainUnlessAskedTo) {
   EXPECT_EQ(read_file(out / "notes.txt"), "mine");
 
   const Result other = seiche(scratch.folder(), compare({"--end", "0.12"}));
-  EXPECT_EQ(other.code, 0) << other.err;
-  EXPECT_EQ(other.out.find("done before"), std::string::npos) << other.out;
+  EXPECT_EQ(other.code, 2);
+  EXPECT_EQ(other.out, "");
+  EXPECT_EQ(other.err,
+            "seiche: out/quick-compare/KF2 holds a finished run with time.end = 0.2, not 0.12; choose another folder "
+            "with -o DIR, or replace what is there with --overwrite\n");
+  EXPECT_EQ(read_file(report), before);
+  EXPECT_TRUE(fs::exists(out / "compare.gif"));
+
+  const Result asked = seiche(scratch.folder(), compare({"--end", "0.12", "--overwrite"}));
+  EXPECT_EQ(asked.code, 0) << asked.err;
+  EXPECT_EQ(asked.out.find("done before"), std::string::npos) << asked.out;
   EXPECT_EQ(files_in(out / "frames"), 4);
+}
+
+// A comparison and all that is in its folder but the variants' own data, as text.
+std::string shown_in(const fs::path& folder) {
+  std::string all;
+  for (const char* file : {"compare.json", "compare.mp4", "report.html", "frames/000000.png", "frames/000005.png"})
+    all += read_file(folder / file);
+  return all + std::to_string(files_in(folder)) + " " + std::to_string(files_in(folder / "frames"));
+}
+
+TEST(Compare, AComparisonOfOtherRunsIsNotReplacedUnlessAskedTo) {
+  const Scratch scratch;
+  ASSERT_EQ(seiche(scratch.folder(), compare({"-o", "a", "--quiet"})).code, 0);
+  ASSERT_EQ(seiche(scratch.folder(), compare({"-o", "b", "--quiet"})).code, 0);
+  const std::string before = shown_in(scratch / "a");
+  const std::vector<std::string> others{"compare", "a/KF2", "b/KF3", "-o", "a", "--size", "640x360", "--quiet"};
+  const Result refused = seiche(scratch.folder(), others);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.err,
+            "seiche: a holds a comparison of other runs: KF2, KF3; choose another folder with -o DIR, or replace the "
+            "comparison with --overwrite\n");
+  EXPECT_EQ(seiche(scratch.folder(), {"compare", quick, "--vary", "method.kernel=KF1,KF4", "-o", "a"}).code, 2);
+  EXPECT_TRUE(shown_in(scratch / "a") == before);
+  auto asked = others;
+  asked.push_back("--overwrite");
+  EXPECT_EQ(seiche(scratch.folder(), asked).code, 0);
+  EXPECT_FALSE(shown_in(scratch / "a") == before);
+  EXPECT_EQ(seiche(scratch.folder(), others).code, 0) << "now it is the same";
+}
+
+TEST(Compare, AnEarlierComparisonStaysUntilTheNewOneIsWhole) {
+  const Scratch scratch;
+  // Many pictures, so that a signal comes before the last.
+  const std::vector<std::string> few{"-o", "out", "--set", "output.frame_rate=500"};
+  auto many = few;
+  many.insert(many.end(), {"--range", "frame"});
+  ASSERT_EQ(seiche(scratch.folder(), compare(few)).code, 0);
+  const fs::path out = scratch / "out";
+  const std::string before = shown_in(out);
+  const auto interrupt = [&] {
+    Program program(scratch.folder(), compare(many));
+    EXPECT_TRUE(program.wait_for("pictures  [#-"));
+    program.signal(SIGINT);
+    return program.wait();
+  };
+  const Result kept = interrupt();
+  EXPECT_EQ(kept.code, 130) << kept.err;
+  EXPECT_NE(kept.out.find("; the earlier movie and pictures are kept\n"), std::string::npos) << kept.out;
+  EXPECT_TRUE(shown_in(out) == before);
+
+  const std::string vtu = read_file(out / "KF3/vtu/quick_000050.vtu");
+  write_text(out / "KF3/vtu/quick_000050.vtu", vtu.substr(0, vtu.size() / 2));
+  const Result failed = seiche(scratch.folder(), compare(few));
+  EXPECT_EQ(failed.code, 1) << failed.err;
+  EXPECT_TRUE(shown_in(out) == before);
+
+  write_text(out / "KF3/vtu/quick_000050.vtu", vtu);
+  for (const char* gone : {"compare.mp4", "report.html", "frames"}) fs::remove_all(out / gone);
+  const Result part = interrupt();
+  EXPECT_EQ(part.code, 130) << part.err;
+  const long pictures = files_in(out / "frames");
+  EXPECT_GT(pictures, 0);
+  EXPECT_LT(pictures, 100);
+  EXPECT_EQ(movie_of(out / "compare.mp4"), "640,360," + std::to_string(pictures) + "\n");
+}
+
+TEST(Compare, TwoAtOnceInAFolderAreOneTooMany) {
+  const Scratch scratch;
+  fs::create_directory(scratch / "out");
+  const int held = open((scratch / "out").c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(flock(held, LOCK_EX), 0);
+  const Result result = seiche(scratch.folder(), compare({"-o", "out"}));
+  close(held);
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err,
+            "seiche: another `seiche compare` is at work in out; wait for it, or choose another folder with -o DIR\n");
+  EXPECT_EQ(files_in(scratch / "out"), 0);
 }
 
 TEST(Compare, FoldersOfRunsOfDifferentLengths) {
@@ -108,6 +197,7 @@ TEST(Compare, BadInputIsRefusedBeforeAnythingIsRunOrWritten) {
     EXPECT_FALSE(fs::exists(scratch / "out"));
     return result.err;
   };
+  EXPECT_EQ(error_of({}), "seiche: nothing to compare; give a scene with --vary, or two or more folders of runs\n");
   EXPECT_EQ(error_of({quick}),
             "seiche: nothing varies; give --vary KEY=VALUE,VALUE, as in --vary method.kernel=KF1,KF3\n");
   EXPECT_EQ(error_of({quick, "--vary", "method.kernl=KF1"}),
@@ -119,12 +209,19 @@ TEST(Compare, BadInputIsRefusedBeforeAnythingIsRunOrWritten) {
             "seiche: 10 variants are too many; a picture has room for 9\n");
   EXPECT_EQ(error_of({quick, "--vary", "method.kernel=KF1", "--size", "641x360"}),
             "seiche: .mp4 needs an even width and height, not 641 x 360; change the size or write a .gif\n");
+  EXPECT_EQ(
+      error_of({quick, "--vary", "tank.width=0,0.2"}),
+      "seiche: --vary: tank.width=0 and tank.width=0.2 are a 2-D run and a 3-D one; they can't share a picture\n");
   EXPECT_EQ(error_of({"nowhere", "else"}),
             "seiche: nowhere is no folder of a run; give one scene with --vary, or folders of runs alone\n");
   fs::create_directory(scratch / "empty");
-  EXPECT_EQ(error_of({"empty"}), "seiche: empty is empty; expected the folder of a run, as `seiche run` leaves it\n");
+  EXPECT_EQ(error_of({"empty"}),
+            "seiche: empty alone can't be compared; give two or more folders of runs, or a scene with --vary\n");
+  EXPECT_EQ(error_of({"empty", "empty/"}), "seiche: empty and empty/ are the same folder; leave one out\n");
+  EXPECT_EQ(error_of({"empty", "other"}),
+            "seiche: empty is empty; expected the folder of a run, as `seiche run` leaves it\n");
   write_text(scratch / "half/run.json", "{\"seiche\":");
-  EXPECT_EQ(error_of({"half"}).substr(0, 37), "seiche: half/run.json can't be used: ");
+  EXPECT_EQ(error_of({"half", "empty"}).substr(0, 37), "seiche: half/run.json can't be used: ");
   EXPECT_EQ(error_of({quick, "--vary", "method.kernel=KF1", "-o", "half"}),
             "seiche: half is the folder of a run; choose another with -o DIR\n");
   write_text(scratch / "mine/notes.txt", "mine");

@@ -1,9 +1,12 @@
 #include "apps/compare/plan.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "apps/output_folder.hpp"
+#include "apps/run_info.hpp"
 #include "apps/run_json.hpp"
 #include "apps/scene_file.hpp"
 #include "tests/unit/apps/files.hpp"
@@ -43,7 +46,7 @@ TEST(Plan, VariantsWriteVtuFilesAndPicturesOnlyWhereAskedTo) {
   const auto output = [&](const std::vector<Override>& settings) {
     return plan_of(scratch, {"method.kernel=KF3"}, settings).at(0).scene.output;
   };
-  const Output plain = output({parse_set("output.vtu=false"), parse_set("output.probes=false")});
+  const Output plain = output({});
   EXPECT_TRUE(plain.vtu && plain.probes);
   EXPECT_FALSE(plain.pictures);
   EXPECT_EQ(plain.movie, "none");
@@ -52,14 +55,55 @@ TEST(Plan, VariantsWriteVtuFilesAndPicturesOnlyWhereAskedTo) {
   EXPECT_EQ(asked.movie, "gif");
 }
 
-TEST(Plan, RefusesTheSameRunTwice) {
+TEST(Plan, LabelsOnlyWhatVaries) {
+  const Scratch scratch;
+  const auto runs = plan_of(scratch, {"particles.spacing=0.02", "method.kernel=KF1,KF3"});
+  EXPECT_EQ(runs.at(1).label, "KF3");
+  EXPECT_EQ(runs.at(1).folder, scratch / "out/spacing-0.02_KF3");
+}
+
+std::string refusal_of(const std::vector<std::string>& vary, const std::vector<Override>& settings = {}) {
   const Scratch scratch;
   try {
-    plan_of(scratch, {"particles.spacing=0.02,0.020"});
+    plan_of(scratch, vary, settings);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Plan, RefusesTheSameRunTwiceAsItWasTyped) {
+  EXPECT_EQ(refusal_of({"particles.spacing=0.02,0.020"}),
+            "--vary: particles.spacing=0.02 and particles.spacing=0.020 are the same run; leave one out");
+  EXPECT_EQ(refusal_of({"method.kernel=KF1,KF1", "preset=paper"}),
+            "--vary: method.kernel=KF1 preset=paper and method.kernel=KF1 preset=paper are the same run; leave one "
+            "out");
+}
+
+TEST(Plan, RefusesRunsThatWouldShareAFolder) {
+  const Scratch scratch;
+  for (const std::string file : {"a_b.csv", "a-b.csv"})
+    write_text(scratch / file, fmt::format("t [s],surge [m]\n0,0\n1,0\n2,{}\n3,0\n", file == "a_b.csv" ? 0.1 : 0.2));
+  try {
+    plan_of(scratch, {"motion.file=a_b.csv,a-b.csv"}, {parse_set("motion.type=file")});
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "--vary: 20 mm and 20 mm are the same run; leave one out");
+    EXPECT_STREQ(error.what(),
+                 "--vary: motion.file=a_b.csv and motion.file=a-b.csv would have the same folder; give one another "
+                 "name");
   }
+}
+
+TEST(Plan, RefusesFlatRunsBesideSolidOnes) {
+  EXPECT_EQ(refusal_of({"method.kernel=KF1", "tank.width=0,0.2"}),
+            "--vary: method.kernel=KF1 tank.width=0 and method.kernel=KF1 tank.width=0.2 are a 2-D run and a 3-D one; "
+            "they can't share a picture");
+}
+
+TEST(Plan, RefusesToGoWithoutWhatPicturesAreDrawnFrom) {
+  for (const std::string text : {"output.vtu=false", "output.probes=false"})
+    EXPECT_EQ(refusal_of({"method.kernel=KF1,KF3"}, {parse_set(text)}),
+              "--set " + text + ": the comparison is drawn from VTU files and readings; leave it out");
 }
 
 TEST(Plan, AValueThatAKeyRefusesIsTracedToItsVary) {
@@ -109,6 +153,69 @@ TEST(IsDone, NotWhereTheFolderHoldsAnotherRun) {
   other.folder = runs[1].folder;
   store(other);
   EXPECT_FALSE(is_done(runs[1]));
+}
+
+// What check_kept says of a folder; nothing where it lets it be run in.
+std::string complaint_of(const PlannedRun& run) {
+  try {
+    check_kept(run);
+  } catch (const BadFolder& error) {
+    return error.what();
+  }
+  return "";
+}
+
+constexpr const char* ways_out = "; choose another folder with -o DIR, or replace what is there with --overwrite";
+
+TEST(CheckKept, LetsTheSameRunGoOnOrAgain) {
+  const Scratch scratch;
+  const auto run = plan_of(scratch, {"method.kernel=KF1,KF3"}).at(0);
+  EXPECT_EQ(complaint_of(run), "") << "no folder";
+  std::filesystem::create_directories(run.folder);
+  EXPECT_EQ(complaint_of(run), "") << "empty";
+  for (const auto status : {Ending::Status::finished, Ending::Status::failed, Ending::Status::interrupted}) {
+    store(run, status);
+    EXPECT_EQ(complaint_of(run), "");
+  }
+  write_run_json(run.folder / "run.json", run.scene, {});
+  EXPECT_EQ(complaint_of(run), "") << "was killed";
+}
+
+TEST(CheckKept, RefusesARunOfOtherParameters) {
+  const Scratch scratch;
+  const auto runs = plan_of(scratch, {"method.kernel=KF1,KF3"});
+  PlannedRun other = runs[0];
+  other.folder = runs[1].folder;
+  store(other);
+  EXPECT_EQ(complaint_of(runs[1]),
+            runs[1].folder.string() + " holds a finished run with method.kernel = KF1, not KF3" + ways_out);
+  store(other, Ending::Status::interrupted);
+  EXPECT_EQ(complaint_of(runs[1]),
+            runs[1].folder.string() + " holds an unfinished run with method.kernel = KF1, not KF3" + ways_out);
+  other = runs[1];
+  other.scene.output.frame_rate = 7;
+  store(other);
+  EXPECT_EQ(complaint_of(runs[1]),
+            runs[1].folder.string() + " holds a finished run with output.frame_rate = 7, not 50" + ways_out);
+  other = runs[1];
+  other.scene.parameters.motion.series.time = {0, 1};
+  other.scene.parameters.motion.series.surge = {0, 1};
+  store(other);
+  write_samples(other.folder / "samples.json", other.scene);
+  EXPECT_EQ(complaint_of(runs[1]), runs[1].folder.string() + " holds a finished run with other parameters" + ways_out);
+}
+
+TEST(CheckKept, RefusesWhatAnotherVersionFinishedAndWhatIsNoRun) {
+  const Scratch scratch;
+  const auto run = plan_of(scratch, {"method.kernel=KF1,KF3"}).at(0);
+  store(run);
+  std::string text = test::read_file(run.folder / "run.json");
+  const std::string ours = std::string("\"") + version() + "\"";
+  write_text(run.folder / "run.json", text.replace(text.find(ours), ours.size(), "\"0.0.1\""));
+  EXPECT_EQ(complaint_of(run),
+            run.folder.string() + " holds a finished run of seiche 0.0.1, not " + version() + ways_out);
+  write_text(run.folder / "run.json", "{\"seiche\":");
+  EXPECT_EQ(complaint_of(run), run.folder.string() + " isn't empty, and holds no run that can be read" + ways_out);
 }
 
 TEST(RunsAtATime, AreAsManyAsCoresAndMemoryAllow) {

@@ -80,17 +80,36 @@ TEST(Combinations, RefuseAKeyThatIsSetTwice) {
             "--kernel KF2: method.kernel is varied; leave one of both");
 }
 
+std::string label_of(const Scene& scene, const std::vector<const Option*>& keys) {
+  return labels_of({&scene}, keys).at(0);
+}
+
 TEST(Names, OfVariantsAreLabelsAndFolders) {
-  const Scene scene = scene_of({"method.kernel=KF3", "particles.spacing=0.005", "motion.amplitude=0.01"});
+  const Scene scene = scene_of({"method.kernel=KF3", "particles.spacing=0.005"});
   const auto kernel = key("method", "kernel"), spacing = key("particles", "spacing");
   EXPECT_EQ(label_of(scene, {kernel}), "KF3");
   EXPECT_EQ(folder_of(scene, {kernel}), "KF3");
   EXPECT_EQ(label_of(scene, {kernel, spacing}), "KF3, 5 mm");
   EXPECT_EQ(folder_of(scene, {kernel, spacing}), "KF3_spacing-0.005");
-  EXPECT_EQ(label_of(scene, {key("method", "radius_gradient")}), "radius gradient 2.6 l0");
   EXPECT_EQ(folder_of(scene, {key("tank", "closed")}), "closed-true");
-  EXPECT_EQ(label_of(scene, {key("motion", "amplitude")}), "amplitude 0.01") << "its unit depends on the motion";
-  EXPECT_EQ(label_of(scene, {key("time", "end")}), "end 10 s");
+}
+
+TEST(Names, InLabelsHaveUnits) {
+  const Scene surge = scene_of({"motion.amplitude=0.005", "motion.type=surge", "fluid.depth=0.1"});
+  EXPECT_EQ(label_of(surge, {key("motion", "amplitude")}), "amplitude 5 mm");
+  EXPECT_EQ(label_of(scene_of({"motion.amplitude=4", "motion.type=roll"}), {key("motion", "amplitude")}),
+            "amplitude 4 degrees");
+  EXPECT_EQ(label_of(surge, {key("fluid", "depth")}), "depth 0.1 m");
+  EXPECT_EQ(label_of(surge, {key("time", "end")}), "end 10 s");
+  EXPECT_EQ(label_of(surge, {key("method", "radius_gradient")}), "radius gradient 2.6 l0");
+}
+
+TEST(Names, InLabelsLeaveOutWhatIsTheSameInAll) {
+  const Scene a = scene_of({"method.kernel=KF1", "particles.spacing=0.02"});
+  const Scene b = scene_of({"method.kernel=KF3", "particles.spacing=0.02"});
+  const std::vector<const Option*> keys{key("particles", "spacing"), key("method", "kernel")};
+  EXPECT_EQ(labels_of({&a, &b}, keys), (std::vector<std::string>{"KF1", "KF3"}));
+  EXPECT_EQ(labels_of({&a}, keys), (std::vector<std::string>{"20 mm, KF1"})) << "nothing else to say";
 }
 
 TEST(Names, OfFoldersHaveSafeCharactersOnly) {

@@ -1,0 +1,110 @@
+#include "apps/compare/folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/apps/files.hpp"
+
+namespace fs = std::filesystem;
+
+namespace seiche::apps::compare {
+namespace {
+
+using test::Scratch;
+using test::write_text;
+
+template <class F>
+std::string refusal(F f) {
+  try {
+    f();
+  } catch (const BadFolder& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::vector<Place> places(const Scratch& scratch, const std::vector<std::string>& folders) {
+  std::vector<Place> all;
+  for (const std::string& each : folders) all.push_back({each, scratch / each});
+  return all;
+}
+
+TEST(CheckFolder, TakesOneThatIsEmptyOrNotThere) {
+  const Scratch scratch;
+  EXPECT_EQ(refusal([&] { check_folder(scratch / "c", places(scratch, {"A", "B"}), false); }), "");
+  fs::create_directories(scratch / "c");
+  EXPECT_EQ(refusal([&] { check_folder(scratch / "c", places(scratch, {"A", "B"}), false); }), "");
+}
+
+TEST(CheckFolder, TakesTheSameComparisonOrALargerOneAgainButNoOther) {
+  const Scratch scratch;
+  const fs::path folder = scratch / "c";
+  write_note(folder, places(scratch, {"A", "c/KF1"}));
+  const auto asked = [&](const std::vector<std::string>& folders, bool overwrite = false) {
+    return refusal([&] { check_folder(folder, places(scratch, folders), overwrite); });
+  };
+  EXPECT_EQ(asked({"c/KF1", "A"}), "");
+  EXPECT_EQ(asked({"c/../A", "B", "c/KF1"}), "");
+  const std::string complaint = folder.string() +
+                                " holds a comparison of other runs: ../A, KF1; choose another folder with -o DIR, or "
+                                "replace the comparison with --overwrite";
+  EXPECT_EQ(asked({"A", "B"}), complaint);
+  EXPECT_EQ(asked({"A"}), complaint);
+  EXPECT_EQ(asked({"A", "B"}, true), "");
+  write_text(folder / "compare.json", "{");
+  EXPECT_NE(asked({"A"}).find("compare.json can't be used: "), std::string::npos);
+}
+
+TEST(FolderLock, IsHeldByOneAtATime) {
+  const Scratch scratch;
+  const fs::path folder = scratch / "new/folder";
+  const auto lock = [&] { FolderLock another(folder); };
+  {
+    const FolderLock first(folder);
+    EXPECT_EQ(refusal(lock), "another `seiche compare` is at work in " + folder.string() +
+                                 "; wait for it, or choose another folder with -o DIR");
+  }
+  EXPECT_EQ(refusal(lock), "");
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST(FolderLock, IsNoneWhereAFileIsInTheWay) {
+  const Scratch scratch;
+  write_text(scratch / "file", "mine");
+  EXPECT_NE(refusal([&] { FolderLock lock(scratch / "file"); }).find("is a file"), std::string::npos);
+  EXPECT_NE(refusal([&] { FolderLock lock(scratch / "file/below"); }).find("can't make the folder"), std::string::npos);
+}
+
+TEST(Draft, ReplacesWhatWasThereOnlyWhenItIsPublished) {
+  const Scratch scratch;
+  const OutputFolder files = files_in(scratch.folder());
+  write_text(files.movie("gif"), "old");
+  write_text(files.frames() / "000007.png", "old");
+  write_text(files.frames() / "notes.txt", "mine");
+  write_text(scratch / "KF1/run.json", "{}");
+  const auto draw = [](const Draft& draft) {
+    write_text(draft.files().movie("mp4"), "new");
+    write_text(draft.files().frames() / "000000.png", "new");
+  };
+  const auto left = [&] { return std::distance(fs::directory_iterator(scratch.folder()), fs::directory_iterator()); };
+  {
+    Draft draft(scratch.folder());
+    draw(draft);
+  }
+  EXPECT_EQ(test::read_file(files.movie("gif")), "old");
+  EXPECT_EQ(left(), 3) << "no trace of it";
+  {
+    Draft draft(scratch.folder());
+    draw(draft);
+    draft.publish();
+  }
+  EXPECT_EQ(test::read_file(files.movie("mp4")), "new");
+  EXPECT_EQ(test::read_file(files.frames() / "000000.png"), "new");
+  EXPECT_FALSE(fs::exists(files.movie("gif")));
+  EXPECT_FALSE(fs::exists(files.frames() / "000007.png"));
+  EXPECT_TRUE(fs::exists(files.frames() / "notes.txt"));
+  EXPECT_TRUE(fs::exists(scratch / "KF1/run.json"));
+  EXPECT_EQ(left(), 3);
+}
+
+}  // namespace
+}  // namespace seiche::apps::compare
