@@ -34,7 +34,8 @@ std::size_t label_width(const std::vector<Lane>& lanes) {
 std::string cut(const std::string& line) {
   winsize size{};
   const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return line.substr(0, (known ? size.ws_col : 80u) - 1);  // a line that wraps can't be drawn over
+  const std::size_t room = (known ? size.ws_col : 80u) - 1u;  // a line that wraps can't be drawn over
+  return line.size() <= room ? line : line.substr(0, room - 3) + "...";
 }
 
 }  // namespace
