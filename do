@@ -19,7 +19,7 @@ usage: ./do VERB
   demo     build, then run scenes/pan2008.toml and say where its movie is
   test     build with tests, then run them all through CTest
   bench    build with benchmarks, then run them into out/bench/; './do bench quick' takes a minute
-  gallery  build, then make the small pictures of scenes/gallery/ anew; a minute or two
+  gallery  build, then make the small pictures of scenes/gallery/ anew; five minutes
   format   rewrite the sources in the house style (clang-format)
   clean    remove build/ and out/
 TEXT
@@ -78,7 +78,7 @@ gallery() {
     --set look.curves=none
   picture smooth pan2008 2.9 --spacing 0.01 --set look.style=smooth
   picture box quick 0.6 --set tank.width=0.2
-  build/seiche compare scenes/pan2008-paper.toml --vary method.kernel=KF1,KF2,KF3,KF4,KF5 --spacing 0.01 --end 3 \
+  build/seiche compare scenes/pan2008-paper.toml --vary method.kernel=KF1,KF2,KF3,KF4,KF5 --spacing 0.01 \
     --size 960x540 -o out/gallery/kernels --overwrite
   cp "out/gallery/kernels/frames/$(ls out/gallery/kernels/frames | tail -n 1)" scenes/gallery/kernels.png
 }
