@@ -80,14 +80,17 @@ std::string key(const Chart& chart, bool alone) {
   return html.empty() ? html : fmt::format("<ul class=\"key\">{}</ul>", html);
 }
 
-std::string left_out(const Chart& chart, const Extent& extent) {
-  if (extent.beyond == 0) return "";
-  const std::size_t unit = chart.title.rfind(" [");
-  std::string name = unit == std::string::npos ? "" : chart.title.substr(unit + 2);
-  if (!name.empty()) name.pop_back();
-  const int decimals = std::abs(extent.beyond) < 100 ? 3 : 0;
-  return fmt::format("<p class=\"note\">Readings beyond the axis are cut off; the furthest is {:.{}f} {}.</p>\n",
-                     extent.beyond, decimals, escaped(name));
+// What the curves don't show.
+std::string note(const Chart& chart, const Extent& extent) {
+  std::string text;
+  if (chart.means) text = "Running means; probes.csv has the readings themselves. ";
+  if (extent.beyond != 0) {
+    const std::size_t unit = chart.title.rfind(" ["), end = chart.title.rfind(']');
+    const std::string name = unit == std::string::npos ? "" : chart.title.substr(unit + 2, end - unit - 2);
+    text += fmt::format("{} beyond the axis are cut off; the furthest is {:.{}f} {}.",
+                        chart.means ? "Means" : "Readings", extent.beyond, std::abs(extent.beyond) < 100 ? 3 : 0, name);
+  }
+  return text.empty() ? text : fmt::format("<p class=\"note\">{}</p>\n", escaped(text));
 }
 
 }  // namespace
@@ -116,7 +119,7 @@ std::string chart_html(const Chart& chart, bool alone) {
       "<svg class=\"{8}\" viewBox=\"0 0 {4} {4}\" preserveAspectRatio=\"none\" width=\"100%\" "
       "height=\"100%\">\n{5}</svg>\n{6}"
       "<line class=\"mark\" x1=\"0%\" x2=\"0%\" y1=\"0\" y2=\"100%\"/>\n</svg>\n{7}</figure>\n",
-      escaped(chart.title), key(chart, alone), chart.end, grid(axes), side, curves, stops, left_out(chart, extent),
+      escaped(chart.title), key(chart, alone), chart.end, grid(axes), side, curves, stops, note(chart, extent),
       extent.beyond == 0 ? "whole" : "cut");
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "render/compared_curves.hpp"
 #include "render/curve_choice.hpp"
 #include "render/range.hpp"
 
@@ -50,6 +51,20 @@ void merge(std::vector<Trace>& traces) {
   };
   if (!std::all_of(traces.begin(), traces.end(), is_part)) return;
   traces = {Trace{"all runs", 0, true, false, false, longest->series}};
+}
+
+// Draws the runs as the movie above the curves does.
+void settle_as_in_pictures(Chart& chart, const Report& report) {
+  render::SensorCurve curve;
+  curve.title = chart.title;
+  for (const ReportRun& run : report.runs) curve.end = std::max(curve.end, run.run.info.end);
+  for (const Trace& trace : chart.traces) curve.traces.push_back({.series = trace.series, .broken_off = trace.failed});
+  std::vector<render::SensorCurve> curves{std::move(curve)};
+  render::settle(curves);
+  chart.means = curves.front().title != chart.title;
+  chart.title = curves.front().title;
+  for (std::size_t i = 0; i < chart.traces.size(); ++i)
+    chart.traces[i].series = std::move(curves.front().traces[i].series);
 }
 
 }  // namespace
@@ -99,6 +114,7 @@ std::vector<Chart> charts_of(const Report& report) {
     }
     if (chart.traces.empty() || chart.end <= 0) continue;
     merge(chart.traces);
+    if (report.runs.size() > 1) settle_as_in_pictures(chart, report);
     const std::vector<render::Reference> references = references_of(report, sensor);
     for (std::size_t i = 0; i < references.size(); ++i)
       chart.traces.push_back({references[i].label, i, false, true, false, references[i].series});

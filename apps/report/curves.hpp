@@ -22,6 +22,7 @@ struct Chart {
   std::string title;   ///< as in "Elevation, left [m]"
   double end = 0;      ///< of the time axis [s]
   std::vector<Trace> traces;
+  bool means = false;  ///< the runs' traces are running means, as the title says
 };
 
 /// The sensors that the run's pictures have under them, without units; where its look wants none there, the usual ones.
@@ -36,6 +37,7 @@ double reached(const Report& report);
 /// The references that a sensor has in the first run's scene.
 std::vector<render::Reference> references_of(const Report& report, const std::string& sensor);
 
+/// One to each charted sensor. Pressures of several runs are running means as under the pictures, and titles say so.
 std::vector<Chart> charts_of(const Report& report);
 
 /// What a chart's axis shows, between round numbers: all traces, but for what lies further beyond the usual range than

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "render/running_mean.hpp"
 #include "tests/unit/apps/report/synthetic.hpp"
 
 namespace seiche::apps::report {
@@ -45,6 +46,30 @@ TEST(ReportCharts, ShowWhatAllRunsHaveOnce) {
   const Chart surge = chart_named(charts, "surge");
   ASSERT_EQ(surge.traces.size(), 1u) << "though the second run ended sooner";
   EXPECT_EQ(line_style(surge.traces[0]), "all");
+}
+
+TEST(ReportCharts, PressuresOfSeveralRunsAreTheMeansOfTheirPictures) {
+  // A wave of 1 Hz that noise of 250 Hz hides.
+  const test::Signals noisy{[](double) { return 0.0; },
+                            [](double t) {
+                              const double slow = 100 * std::sin(2 * std::numbers::pi * t);
+                              return slow + 5000 * std::sin(2 * std::numbers::pi * 250 * t);
+                            }};
+  const ReportRun a = test::report_run("a", 2, noisy), b = test::report_run("b", 1.8, noisy);
+  const Chart raw = chart_named(charts_of({"tank", {a}, {}, {}}), "p_left_bottom");
+  EXPECT_EQ(raw.title, "Pressure, left bottom [Pa]");
+  EXPECT_GT(extent_of(raw).range.high, 6000) << "a run alone shows its readings";
+  EXPECT_EQ(chart_html(raw, true).find("Running means"), std::string::npos);
+
+  ReportRun quieter = b;
+  for (double& value : quieter.readings.values) value *= 0.5;
+  const Chart mean = chart_named(charts_of({"tank", {a, quieter}, {}, {}}), "p_left_bottom");
+  EXPECT_EQ(mean.title, "Pressure, left bottom [Pa], mean of 0.02 s");
+  ASSERT_EQ(mean.traces.size(), 2u);
+  const render::Series expected = render::running_mean(column_of(a.readings, a.run.info, "p_left_bottom"), 0.02);
+  EXPECT_EQ(mean.traces[0].series.value, expected.value);
+  EXPECT_LT(extent_of(mean).range.high, 3000);
+  EXPECT_NE(chart_html(mean, false).find("Running means; probes.csv has the readings themselves."), std::string::npos);
 }
 
 TEST(ReportCharts, ASpikeDoesNotFlattenTheRest) {
