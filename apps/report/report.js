@@ -5,6 +5,7 @@ const end = Number(main.dataset.end), interval = Number(main.dataset.interval);
 const movie = document.querySelector('.movie'), video = document.querySelector('video');
 const still = document.getElementById('still'), slider = document.getElementById('slider');
 const play = document.getElementById('play'), clock = document.getElementById('clock');
+const full = document.getElementById('full');
 const strip = [...document.querySelectorAll('.strip button')];
 const times = strip.map(button => Number(button.dataset.time));
 
@@ -74,15 +75,32 @@ function pointAt(time) {
   }
 }
 
+function playOrPause() {
+  if (video.paused) video.play(); else video.pause();
+}
+
 if (video) {
+  video.controls = false;
+  video.tabIndex = 0;
+  video.addEventListener('click', playOrPause);
+  video.addEventListener('keydown', event => {
+    if (event.key !== ' ' && event.key !== 'Enter') return;
+    event.preventDefault();
+    playOrPause();
+  });
   video.addEventListener('play', () => { showMovie(); follow(); });
   for (const name of ['play', 'pause']) video.addEventListener(name, () => { play.textContent = video.paused ? 'Play' : 'Pause'; });
   video.addEventListener('seeked', follow);
   // A player may stop a frame later than it says.
   video.addEventListener('pause', () => seek(movieTime()));
-  play.addEventListener('click', () => { if (video.paused) video.play(); else video.pause(); });
+  play.addEventListener('click', playOrPause);
 } else if (play) {
   play.addEventListener('click', showMovie);
+}
+if (full && document.fullscreenEnabled) {
+  const stage = document.querySelector('.stage');
+  full.hidden = false;
+  full.addEventListener('click', () => { if (document.fullscreenElement) document.exitFullscreen(); else stage.requestFullscreen(); });
 }
 if (slider) slider.addEventListener('input', () => showStill(Number(slider.value)));
 strip.forEach((button, i) => button.addEventListener('click', () => showStill(i)));

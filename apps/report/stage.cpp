@@ -32,6 +32,7 @@ Size size_of(const Report& report) {
   return {first.width, first.height};
 }
 
+// Its own controls are for a page without scripts: they would darken the curves at its foot.
 std::string movie_html(const fs::path& movie, const fs::path& folder) {
   const std::string ending = movie.extension();
   const bool embedded = fs::file_size(movie) <= largest_movie;
@@ -70,7 +71,11 @@ std::string bar_html(std::size_t stills, bool movie) {
     html += fmt::format(
         "<input type=\"range\" id=\"slider\" min=\"0\" max=\"{}\" step=\"1\" value=\"0\" aria-label=\"Still\">\n",
         stills - 1);
-  return html + "<output id=\"clock\" for=\"slider\">t = 0.00 s</output>\n</div>\n";
+  html += "<output id=\"clock\" for=\"slider\">t = 0.00 s</output>\n";
+  return html +
+         "<button type=\"button\" id=\"full\" aria-label=\"Full screen\" title=\"Full screen\" hidden><svg viewBox=\"0 "
+         "0 16 16\" "
+         "aria-hidden=\"true\"><path d=\"M1 5V1h4M11 1h4v4M15 11v4h-4M5 15H1v-4\"/></svg></button>\n</div>\n";
 }
 
 // What can be done with it.
