@@ -7,6 +7,7 @@
 #include "apps/exit_codes.hpp"
 #include "apps/loop.hpp"
 #include "apps/report.hpp"
+#include "apps/report/command.hpp"
 #include "apps/run_info.hpp"
 #include "apps/run_json.hpp"
 #include "apps/scene_file.hpp"
@@ -31,10 +32,10 @@ int exit_code(Ending::Status status) {
 }
 
 // The run proper: simulation and folder are ready.
-int simulate(const Scene& scene, const OutputFolder& folder, Simulation& simulation, bool quiet) {
+int simulate(const Scene& scene, const OutputFolder& folder, Simulation& simulation, const RunRequest& request) {
   const Stopwatch watch;
   const SignalWatch signals;
-  Progress progress(Progress::suitable(quiet));
+  Progress progress(Progress::suitable(request.quiet));
   Outputs outputs = make_outputs(scene, folder);
   write_samples(folder.samples(), scene);
   write_run_json(folder.record(), scene, {{}, simulation.statistics(), {}});
@@ -44,8 +45,10 @@ int simulate(const Scene& scene, const OutputFolder& folder, Simulation& simulat
   const Statistics& totals = simulation.statistics();
   const RunRecord record{ending, totals, {totals.seconds, outputs.seconds(), ending.waited, watch.seconds()}};
   write_run_json(folder.record(), scene, record);
-  if (scene.output.report) write_report(folder.report(), report_of(read_run(folder.path)));
-  print_closing(scene, folder, record, quiet);
+  if (scene.output.report)
+    write_report(folder.report(),
+                 report_of(read_run(folder.path), report::command_text({"run", request.scene}, request.overrides)));
+  print_closing(scene, folder, record, request.quiet);
   return exit_code(ending.status);
 }
 
@@ -65,7 +68,7 @@ int run(const RunRequest& request) {
   check_outputs(scene, folder);
   const auto simulation = make_simulation(scene.parameters, scene.samples() ? 1 / scene.output.probe_rate : 0);
   folder.prepare();
-  return simulate(scene, folder, *simulation, request.quiet);
+  return simulate(scene, folder, *simulation, request);
 }
 
 }  // namespace seiche::apps

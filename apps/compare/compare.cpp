@@ -12,6 +12,7 @@
 #include "apps/compare/runs.hpp"
 #include "apps/exit_codes.hpp"
 #include "apps/report.hpp"
+#include "apps/report/command.hpp"
 #include "apps/signals.hpp"
 #include "apps/stopwatch.hpp"
 #include "render/grid_layout.hpp"
@@ -37,11 +38,22 @@ void check_pictures(const Request& request, const render::Look& look) {
   render::gl_description();
 }
 
+// What makes the comparison again.
+std::string command_of(const Request& request) {
+  std::vector<std::string> words{"compare"};
+  words.insert(words.end(), request.what.begin(), request.what.end());
+  for (const std::string& each : request.vary) words.insert(words.end(), {"--vary", each});
+  if (request.movie != Request{}.movie) words.insert(words.end(), {"--movie", request.movie});
+  if (request.size != Request{}.size) words.insert(words.end(), {"--size", request.size});
+  return report::command_text(words, request.settings);
+}
+
 // One page of all runs, with the movie and pictures that have been drawn.
-void report(const std::vector<ComparedRun>& runs, const OutputFolder& files, const std::string& movie) {
+void report_on(const std::vector<ComparedRun>& runs, const OutputFolder& files, const Request& request) {
   Report page{.title = fmt::format("{}, compared", runs.front().run.scene.name), .runs = {}, .movie = {}, .stills = {}};
   for (const ComparedRun& each : runs) page.runs.push_back({each.run, each.label, each.readings});
-  page.movie = files.movie(movie);
+  page.movie = files.movie(request.movie);
+  page.command = command_of(request);
   const Clock clock = clock_of(runs);
   page.stills = even_stills(stored_pictures({files.path, {}, {}, {}}), clock.interval,
                             clock.interval * static_cast<double>(clock.last));
@@ -63,7 +75,7 @@ int show(const Request& request, const std::vector<ComparedRun>& runs, const ren
     return !signals.caught();
   };
   const bool whole = draw(runs, look, {draft.files().frames(), draft.files().movie(request.movie)}, told);
-  if (whole) report(runs, draft.files(), request.movie);
+  if (whole) report_on(runs, draft.files(), request);
   // Part of a movie is better than none, but not than an earlier one.
   const bool kept = !whole && !stored_pictures({folder, {}, {}, {}}).empty();
   if (!kept) draft.publish();

@@ -6,8 +6,8 @@
 
 #include "apps/report/curves.hpp"
 #include "apps/validate/filter.hpp"
-#include "apps/validate/measures.hpp"
 #include "render/curve_choice.hpp"
+#include "render/deviation.hpp"
 
 namespace seiche::apps::report {
 namespace {
@@ -39,18 +39,13 @@ std::optional<Share> noise_of(const render::Series& pressure, const RunInfo& run
   return noise;
 }
 
-std::optional<Share> error_of(const render::Series& elevation, const render::Series& reference, double period) {
-  const validate::Series ours = finite(elevation), theirs = finite(reference);
-  if (ours.t.empty() || theirs.t.empty()) return {};
-  Share error{0, std::max(ours.t.front(), theirs.t.front()), std::min(ours.t.back(), theirs.t.back())};
-  try {
-    const auto difference = validate::compare(theirs, ours, {.from = error.from, .to = error.to, .period = period});
-    if (difference.ref_rms == 0) return {};
-    error.value = difference.relative_l2();
-  } catch (const std::runtime_error&) {
-    return {};  // next to no time in common
-  }
-  return error;
+std::optional<Error> error_of(const render::Series& elevation, const render::Series& reference) {
+  if (elevation.time.empty()) return {};
+  render::Series rest = elevation;
+  for (double& value : rest.value) value *= 0;  // a gap stays one
+  const double end = elevation.time.back(), rms = render::deviation(elevation, reference, end);
+  if (!std::isfinite(rms)) return {};
+  return Error{rms, end, rms / render::deviation(rest, reference, end)};
 }
 
 std::optional<double> drift_of(const render::Series& volume) {
@@ -83,7 +78,7 @@ Measures measures_of(const ReportRun& one, const Measured& sensors, const std::v
   Measures measures;
   measures.noise = noise_of(column_of(one.readings, info, sensors.pressure), info);
   for (const render::Reference& reference : references)
-    measures.errors.push_back(error_of(elevation, reference.series, 4 * reach));
+    measures.errors.push_back(error_of(elevation, reference.series));
   const render::Series& leading = references.empty() ? elevation : references.front().series;
   measures.crests = crests_of(leading, least_crest(info), most_crests);
   if (!references.empty()) measures.crests = crests_near(elevation, measures.crests, reach);

@@ -13,6 +13,13 @@ struct Share {
   double from = 0, to = 0;  ///< [s]
 };
 
+/// How far readings are from a reference, over the times that both have.
+struct Error {
+  double rms = 0;      ///< root mean square of the difference, in the sensor's unit: the pictures' own figure
+  double to = 0;       ///< last reading [s]
+  double of_rest = 0;  ///< over that of a sensor that stayed at 0: 0 is perfect, 1 as bad as still liquid
+};
+
 /// The highest point of a wave as it passes.
 struct Crest {
   double time = 0;    ///< [s]
@@ -22,7 +29,7 @@ struct Crest {
 /// What the table tells of a run's readings; what they can't tell is left out.
 struct Measures {
   std::optional<Share> noise;                ///< RMS of the pressure above 10 Hz, of rho g depth
-  std::vector<std::optional<Share>> errors;  ///< against each reference of the elevation: relative L2
+  std::vector<std::optional<Error>> errors;  ///< against each reference of the elevation
   std::vector<Crest> crests;                 ///< of the elevation, near those of the first reference if it has any
   std::optional<double> drift;               ///< of the volume: mean of the last tenth less that of the first, of it
 };

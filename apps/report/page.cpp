@@ -1,10 +1,13 @@
 #include "apps/report/page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <set>
 #include <sstream>
 
+#include "apps/compare/vary.hpp"
+#include "apps/options.hpp"
 #include "apps/report/assets.hpp"
 #include "apps/report/chart.hpp"
 #include "apps/report/html.hpp"
@@ -19,7 +22,7 @@ namespace {
 std::string facts_html(const Report& report) {
   std::string html = "<dl class=\"facts\">\n";
   const auto fact = [&](const char* name, const std::string& value) {
-    html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, escaped(value));
+    if (!value.empty()) html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, escaped(value));
   };
   const auto all = [&](auto text) { return of_all(report, text); };
   fact("Preset", all([](const ReportRun& run) { return run.run.info.preset; }));
@@ -27,11 +30,11 @@ std::string facts_html(const Report& report) {
   fact("Spacing", all([](const ReportRun& run) { return length_text(run.run.info.spacing); }));
   fact("Liquid particles", all([](const ReportRun& run) {
          const Statistics& s = run.run.record.statistics;
-         return fmt::format(std::locale(), "{}", s.fluid_particles + s.leaked + s.spilled);
+         const long count = s.fluid_particles + s.leaked + s.spilled;
+         return count > 0 ? fmt::format(std::locale(), "{}", count) : std::string();
        }));
   fact("Duration", all([](const ReportRun& run) { return fmt::format("{:g} s", run.run.info.end); }));
   fact("Program", "Seiche " + all([](const ReportRun& run) { return run.run.info.version; }));
-  if (report.runs.size() == 1) fact("Scene hash", report.runs.front().run.info.scene_hash);
   return html + "</dl>\n";
 }
 
@@ -71,16 +74,52 @@ std::string parameters_html(const ReportRun& run, const std::set<std::string>& f
     text += (first.contains(line) ? html : fmt::format("<mark>{}</mark>", html)) + "\n";
   }
   return fmt::format(
-      "<details>\n<summary>All parameters{}</summary>\n<p>Scene {}, hash {}</p>\n<pre>{}</pre>\n</details>\n",
-      alone ? "" : " of " + escaped(run.label), escaped(run.run.scene.file), escaped(run.run.info.scene_hash), text);
+      "<details>\n<summary>{} <span>scene hash</span> <code>{}</code></summary>\n<pre>{}</pre>\n</details>\n",
+      alone ? "All parameters" : "<b>" + escaped(run.label) + "</b>", escaped(run.run.info.scene_hash), text);
 }
 
-std::string all_parameters_html(const Report& report) {
+std::string text_of(const Value& value) {
+  return std::visit([](const auto& each) { return fmt::format("{}", each); }, value);
+}
+
+// As in "method.kernel = KF1, KF3", each value once.
+std::vector<std::string> varied(const Report& report) {
+  std::vector<const Scene*> scenes;
+  for (const ReportRun& run : report.runs) scenes.push_back(&run.run.scene);
+  std::vector<std::string> all;
+  for (const Option* option : compare::differences(scenes))
+    all.push_back(fmt::format("{} = {}", dotted(*option), of_all(report, [&](const ReportRun& run) {
+                                return text_of(value_of(*option, run.run.scene));
+                              })));
+  return all;
+}
+
+// Its lines end between words.
+std::string command_html(const std::string& command) {
+  std::string html;
+  std::istringstream words(command);
+  for (std::string word; words >> word;)
+    html += fmt::format("{}<span>{}</span>", html.empty() ? "" : " ", escaped(word));
+  return fmt::format("<code class=\"command\">{}</code>", html);
+}
+
+// The scene, what varied and how to do it again, then each run's parameters with the scene's hash.
+std::string what_was_run_html(const Report& report) {
+  const bool alone = report.runs.size() == 1;
+  std::string html = "<section class=\"origin\">\n<h2>What was run</h2>\n<dl>\n";
+  const auto fact = [&](const char* name, const std::string& value) {
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, escaped(value));
+  };
+  if (!report.command.empty()) html += "<dt>Command</dt><dd>" + command_html(report.command) + "</dd>\n";
+  fact("Scene", of_all(report, [](const ReportRun& run) { return run.run.scene.file; }));
+  if (const auto keys = varied(report); !keys.empty()) fact("Varied", fmt::format("{}", fmt::join(keys, "; ")));
+  html += fmt::format(
+      "</dl>\n<p>All parameters{} are a whole scene, to be run again when saved beside the scene’s own file.{}</p>\n",
+      alone ? "" : " of a run", alone ? "" : " What differs from the first run is marked.");
   std::set<std::string> first;
   std::istringstream lines(report.runs.front().run.info.parameters);
   for (std::string line; std::getline(lines, line);) first.insert(line);
-  std::string html = "<section class=\"parameters\">\n<h2>Parameters</h2>\n";
-  for (const ReportRun& run : report.runs) html += parameters_html(run, first, report.runs.size() == 1);
+  for (const ReportRun& run : report.runs) html += parameters_html(run, first, alone);
   return html + "</section>\n";
 }
 
@@ -93,15 +132,16 @@ std::string page(const Report& report, const std::filesystem::path& folder) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"generator\" content=\"Seiche {}\">\n"
-      "<title>{} · Seiche</title>\n<style>\n{}</style>\n</head>\n<body>\n"
+      "<title>{} · Seiche</title>\n<style>\n{}</style>\n<noscript><style>.bar, .key.runs {{ display: none; "
+      "}}</style></noscript>\n</head>\n<body>\n"
       "<main class=\"{}\" data-end=\"{:.6g}\" data-interval=\"{:.6g}\">\n",
       escaped(version()), title, style, report.runs.size() == 1 ? "alone" : "several", reached(report),
       1 / scene.output.frame_rate);
   html += fmt::format("<header>\n<h1>{}</h1>\n<p class=\"tank\">{}</p>\n{}{}</header>\n", title,
-                      escaped(tank_sentence(scene)), outcomes_html(report), facts_html(report));
+                      escaped(tank_sentence(report)), outcomes_html(report), facts_html(report));
   html += stage_html(report, folder) + curves_html(report);
-  html += fmt::format("<section>\n<h2>Measures</h2>\n{}</section>\n", table_html(report));
-  html += all_parameters_html(report);
+  html += fmt::format("<section class=\"measures\">\n<h2>Measures</h2>\n{}</section>\n", table_html(report));
+  html += what_was_run_html(report);
   return html + fmt::format("</main>\n<script>\n{}</script>\n</body>\n</html>\n", script);
 }
 

@@ -5,8 +5,8 @@
 
 namespace seiche::apps::report {
 
-/// How each run ended, its measures and its costs, a column to each run and to each reference, with what each row
-/// means below. A row that nothing is known of is left out.
+/// How each run ended, its measures and its costs, a row to each run and to each reference, with what each measure
+/// means below.
 std::string table_html(const Report& report);
 
 }  // namespace seiche::apps::report

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/cli/program.hpp"
 #include "tests/report/browser.hpp"
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 namespace seiche::test {
 namespace {
 
-constexpr int right_arrow = 39;
+constexpr int right_arrow = 39, space_bar = 32;
 
 // The quick scene, shorter, in a folder of its own; returns that.
 fs::path short_run(const Scratch& scratch, const std::string& name, const std::vector<std::string>& more = {}) {
@@ -32,7 +33,16 @@ fs::path nine_runs(const Scratch& scratch) {
   apps::Report report{"Nine runs", {}, folders[0] / "quick.mp4", {}};
   for (int i = 0; i < 9; ++i) {
     const apps::StoredRun run = apps::read_run(folders[i % 3]);
-    report.runs.push_back({run, "run " + std::to_string(i + 1), apps::stored_readings(run)});
+    report.runs.push_back({run, "KF3, amplitude " + std::to_string(i + 1) + " mm", apps::stored_readings(run)});
+  }
+  // All columns that a table can have: two references, three crests.
+  for (const char* label : {"potential theory", "VOF"}) {
+    render::Reference reference{.of = "eta_left", .label = label, .file = "", .column = "", .series = {}};
+    for (int k = 0; k <= 480; ++k) {
+      reference.series.time.push_back(0.001 * k);
+      reference.series.value.push_back(0.01 * std::sin(2 * std::numbers::pi * 20 * 0.001 * k));
+    }
+    report.runs[0].run.scene.look.references.push_back(reference);
   }
   report.stills = apps::report_of(report.runs[0].run).stills;
   apps::write_report(scratch / "report.html", report);
@@ -73,6 +83,11 @@ struct ReportInABrowser : ::testing::Test {
         "([...document.querySelectorAll('.mark')].map(m => m.getAttribute('x1')))");
   }
 
+  // How far the table is wider than its room.
+  int table_overflow() {
+    return browser.ask("(s => s.scrollWidth - s.clientWidth)(document.querySelector('.scroll'))");
+  }
+
   // How far the page is wider than its window.
   int overflow() { return browser.ask("document.documentElement.scrollWidth - document.documentElement.clientWidth"); }
 };
@@ -87,6 +102,35 @@ TEST_F(ReportInABrowser, ItsMoviePlaysAndMovesTheMarks) {
   EXPECT_EQ(text("#clock"), "t = 0.48 s");
   EXPECT_EQ(browser.ask("document.getElementById('slider').value"), "12");
   EXPECT_FALSE(is_shown("#still"));
+}
+
+TEST_F(ReportInABrowser, ItsMovieIsPlayedByClickAndByKeyAndNothingCoversIt) {
+  browser.open(short_run(scratch, "out") / "report.html");
+  await("canplaythrough", "if (document.querySelector('video').readyState === 4) ok()");
+  EXPECT_EQ(browser.ask("document.querySelector('video').controls"), false) << "they would darken the curves";
+  browser.ask("document.querySelector('video').loop = true; document.querySelector('video').focus()");
+  EXPECT_EQ(browser.ask("document.activeElement.tagName"), "VIDEO");
+  bool by_key = true;
+  const auto centre = browser.ask(
+      "document.querySelector('video').scrollIntoView(), (b => [b.left + b.width / 2, b.top + b.height / 2])"
+      "(document.querySelector('video').getBoundingClientRect())");
+  for (const char* event : {"play", "pause", "play", "pause"}) {
+    browser.ask("window.heard = new Promise(ok => document.querySelector('video').addEventListener('" +
+                std::string(event) + "', () => ok(true), {once: true})); true");
+    if (by_key)
+      browser.press(" ", space_bar);
+    else
+      browser.click(centre[0], centre[1]);
+    EXPECT_EQ(browser.ask("window.heard"), true);
+    EXPECT_EQ(text("#play"), event == std::string("play") ? "Pause" : "Play");
+    if (event == std::string("pause")) by_key = false;
+  }
+  browser.ask(
+      "new Promise(ok => { document.addEventListener('fullscreenchange', () => ok(true), {once: true}); "
+      "document.getElementById('full').click(); })");
+  EXPECT_EQ(browser.ask("document.fullscreenElement.className"), "stage");
+  EXPECT_TRUE(is_shown("video") && is_shown("#slider"));
+  browser.shoot(shots / "full-screen.png");
 }
 
 TEST_F(ReportInABrowser, TheSliderShowsStillsAndSeeksTheMovie) {
@@ -121,19 +165,20 @@ TEST_F(ReportInABrowser, AClickOnACurveSeeksAll) {
 
 TEST_F(ReportInABrowser, ItsTableTellsHowTheRunWent) {
   browser.open(short_run(scratch, "out") / "report.html");
-  EXPECT_EQ(text("tbody tr:first-child th"), "Outcome");
-  EXPECT_EQ(text("tbody tr:first-child td"), "survived 0.48\u00a0s");
-  const std::string table = text("table");
-  for (const char* row : {"Pressure noise, left bottom [% of ρgh]", "Level drift [%]", "Particles lost",
-                          "Least distance [l0]", "Time steps"})
-    EXPECT_NE(table.find(row), std::string::npos) << row;
+  EXPECT_EQ(text("tbody th"), "This run");
+  EXPECT_TRUE(text("tbody td").ends_with("survived 0.48 s")) << text("tbody td");
+  const std::string heads = text("thead");
+  for (const char* head : {"Pressure, left bottom", "Noisea% of ρgh", "Driftc%", "Lost", "Least distance", "Steps"})
+    EXPECT_NE(heads.find(head), std::string::npos) << head << " in " << heads;
+  EXPECT_EQ(text(".command"), "seiche run " SEICHE_SCENES "/quick.toml --set output.size=640x480 --end 0.48");
   browser.shoot(shots / "laptop.png");
 }
 
 TEST_F(ReportInABrowser, AFailedRunHasOneToo) {
   const fs::path page = short_run(scratch, "out", {"--set", "preset=paper", "--kernel", "KF2"}) / "report.html";
   browser.open(page);
-  EXPECT_TRUE(text("tbody tr:first-child td").starts_with("stopped at 0.0")) << text("tbody tr:first-child td");
+  EXPECT_NE(text("tbody td").find("stopped at 0.0"), std::string::npos) << text("tbody td");
+  EXPECT_NE(text(".outcomes").find(" is beyond the limit of "), std::string::npos) << text(".outcomes");
 }
 
 TEST_F(ReportInABrowser, ASceneMayHaveAnyName) {
@@ -150,10 +195,30 @@ TEST_F(ReportInABrowser, NineRunsFitAPhone) {
   for (const int width : {375, 320, 768, 1440}) {
     browser.resize(width, 812);
     EXPECT_EQ(overflow(), 0) << "at " << width;
-    EXPECT_LE(browser.ask("document.querySelector('.scroll').offsetWidth").get<int>(), width);
+    EXPECT_EQ(table_overflow(), 0) << "at " << width;
+    EXPECT_EQ(is_shown("thead"), width == 1440) << "cards where its columns find no room";
+    EXPECT_EQ(is_shown("td .name"), false) << "an outcome speaks for itself";
+    EXPECT_EQ(is_shown("td:nth-of-type(2) .name"), width < 1440) << "at " << width;
     if (width == 375) browser.shoot(shots / "nine-phone.png");
   }
   browser.shoot(shots / "nine-laptop.png");
+}
+
+TEST_F(ReportInABrowser, TheTableOfNineIsWholeOnALaptopAndOnPaper) {
+  browser.open(nine_runs(scratch));
+  EXPECT_EQ(browser.ask("document.querySelectorAll('tbody tr').length"), 11) << "two references";
+  EXPECT_EQ(browser.ask("document.querySelectorAll('tbody tr:first-child td').length"), 13);
+  const int a4_less_margins = 688, letter_less_margins = 710;
+  for (const auto& [media, width] :
+       {std::pair{"screen", 1366}, {"print", a4_less_margins}, {"print", letter_less_margins}}) {
+    browser.show_as(media, "light");
+    browser.resize(width, 900);
+    EXPECT_EQ(table_overflow(), 0) << media << " at " << width;
+    EXPECT_EQ(overflow(), 0) << media << " at " << width;
+    EXPECT_TRUE(is_shown("thead")) << media;
+    const auto widest = browser.ask("Math.max(...[...document.querySelectorAll('td.words')].map(c => c.offsetWidth))");
+    EXPECT_LT(widest.get<double>(), 150) << "a run that stopped widens no column";
+  }
 }
 
 TEST_F(ReportInABrowser, RunsCanBeHidden) {

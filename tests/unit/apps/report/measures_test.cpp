@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "render/deviation.hpp"
 #include "tests/unit/apps/report/synthetic.hpp"
 
 namespace seiche::apps::report {
@@ -33,14 +34,18 @@ TEST(ReportMeasures, AShortRunIsMeasuredWhole) {
   EXPECT_FALSE(measures_of(tiny, measured_sensors(tiny.run), {}).noise) << "21 readings tell nothing of 10 Hz";
 }
 
-TEST(ReportMeasures, ErrorIsRelativeToTheReferenceWhereBothAre) {
+TEST(ReportMeasures, ErrorIsThatOfThePicturesWhereBothAre) {
   ReportRun run = test::report_run("a", 3, {[](double t) { return 1.1 * wave(t); }, [](double) { return 0.0; }});
   test::add_reference(run, "theory", wave, 2);
   const Measures measures = measures_of(run, measured_sensors(run.run), run.run.scene.look.references);
   ASSERT_EQ(measures.errors.size(), 1u);
   ASSERT_TRUE(measures.errors[0]);
-  EXPECT_NEAR(measures.errors[0]->value, 0.1, 1e-3);
-  EXPECT_NEAR(measures.errors[0]->to, 2, 0.02);
+  EXPECT_NEAR(measures.errors[0]->rms, 0.1 * 0.01 / std::sqrt(2), 1e-5);
+  EXPECT_NEAR(measures.errors[0]->of_rest, 0.1, 1e-3);
+  const render::Series elevation = column_of(run.readings, run.run.info, "eta_left");
+  EXPECT_EQ(measures.errors[0]->rms, render::deviation(elevation, run.run.scene.look.references[0].series, 3));
+  run.readings = {};
+  EXPECT_FALSE(measures_of(run, measured_sensors(run.run), run.run.scene.look.references).errors[0]);
 }
 
 TEST(ReportMeasures, CrestsAreFoundNearThoseOfTheReference) {

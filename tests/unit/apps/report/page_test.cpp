@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/report/assets.hpp"
+#include "apps/report/command.hpp"
 #include "apps/report/words.hpp"
 #include "render/outputs.hpp"
 #include "render/palette.hpp"
@@ -47,14 +48,60 @@ TEST(ReportPage, SaysHowEachRunEnded) {
   EXPECT_EQ(report::outcome_text(stopped), "stopped at 0.229 s: 61 of 1200 fluid particles leaked");
   EXPECT_EQ(report::outcome_text(other), "stopped at 0.3 s: can't write x.vtu: No space left on device");
   EXPECT_EQ(report::outcome_text(interrupted), "interrupted at 0.5 s");
-  EXPECT_EQ(report::outcome_text(going), "still going at 0.7 s");
+  EXPECT_EQ(report::outcome_text(going), "unfinished at 0.7 s");
   const std::string html = page_of({"tank", {test::report_run("a", 2), stopped}, {}, {}});
-  EXPECT_TRUE(has(html, "<td>survived 2\u00a0s</td><td><strong>stopped at 0.229\u00a0s:</strong>"));
+  EXPECT_TRUE(has(html, "survived <small>2 s</small></td>") && has(html, "stopped <small>at 0.229 s</small></td>"));
+  EXPECT_EQ(html.find("61 of 1200"), html.rfind("61 of 1200")) << "told above, so that no column grows";
+}
+
+TEST(ReportPage, TellsNothingThatAKilledRunHasNotTold) {
+  ReportRun killed = test::report_run("a", 0.32);
+  killed.run.record.ending.reset();
+  killed.run.record.statistics = {};
+  const std::string html = page_of({"tank", {killed}, {}, {}});
+  EXPECT_TRUE(has(html, "unfinished at 0.32 s") && has(html, ">Drift<"));
+  for (const char* name : {"Steps", "Iterations", "Wall time", "Lost", "Least distance", "Liquid particles"})
+    EXPECT_FALSE(has(html, name)) << name;
+}
+
+TEST(ReportPage, SaysWhatMakesItAgain) {
+  ReportRun first = test::report_run("a", 1), second = first;
+  second.run.scene.parameters.motion.amplitude = 0.02;
+  first.run.info.scene_hash = "8706ad38f22361ef";
+  second.run.info.scene_hash = "ac84b25a2e3101ec";
+  Report report{"tank", {first, second}, {}, {}};
+  report.command = report::command_text({"compare", "my tank.toml", "--vary", "motion.amplitude=0.005,0.02"},
+                                        {parse_set("time.end=1"), {"--spacing 0.01", "particles.spacing", "0.01"}});
+  EXPECT_EQ(report.command,
+            "seiche compare 'my tank.toml' --vary motion.amplitude=0.005,0.02 --set time.end=1 --spacing 0.01");
+  const std::string html = page_of(report);
+  EXPECT_TRUE(has(html, "<span>--vary</span> <span>motion.amplitude=0.005,0.02</span>"));
+  EXPECT_TRUE(has(html, "<dt>Scene</dt><dd>tank.toml</dd>"));
+  EXPECT_TRUE(has(html, "<dt>Varied</dt><dd>motion.amplitude = 0.005, 0.02</dd>"));
+  EXPECT_TRUE(has(html, "<code>8706ad38f22361ef</code>") && has(html, "<code>ac84b25a2e3101ec</code>"));
+  EXPECT_EQ(report::command_text({"run", "it's"}, {}), "seiche run 'it'\\''s'");
+}
+
+TEST(ReportPage, GivesTheErrorThatStandsAboveThePanels) {
+  ReportRun run = test::report_run("a", 2), stopped = test::failed_run("b", 0.5, "x");
+  test::add_reference(
+      run, "VOF", [](double t) { return 0.01 * std::sin(2 * std::numbers::pi * t) + 0.0041; }, 2);
+  const std::string html = page_of({"tank", {run, stopped}, {}, {}});
+  EXPECT_TRUE(has(html, "Off VOF") && has(html, "<span>mm RMS</span>"));
+  EXPECT_TRUE(has(html, "</span>4.1 <small>50 %</small></td>"));
+  EXPECT_TRUE(has(html, "</span>4.1 <small>to 0.5 s</small></td>")) << "not to be ranked with the other";
+  EXPECT_TRUE(has(html, "as above the panels"));
+  EXPECT_FALSE(has(page_of({"tank", {run}, {}, {}}), "as above the panels")) << "there are none";
 }
 
 TEST(ReportPage, TellsTheTankInWords) {
+  const auto sentence = [](const Scene& scene) {
+    Report report{"tank", {{}}, {}, {}};
+    report.runs[0].run.scene = scene;
+    return report::tank_sentence(report);
+  };
   Scene scene;
-  EXPECT_EQ(report::tank_sentence(scene),
+  EXPECT_EQ(sentence(scene),
             "Liquid 0.2\u00a0m deep in a closed tank 0.6\u00a0m long and 0.4\u00a0m high at rest, in 2-D.");
   scene.parameters.motion.type = "roll";
   scene.parameters.motion.amplitude = 0.5;
@@ -62,19 +109,35 @@ TEST(ReportPage, TellsTheTankInWords) {
   scene.parameters.tank.width = 0.05;
   scene.parameters.tank.closed = false;
   scene.parameters.fluid.column = 0.1;
-  EXPECT_EQ(report::tank_sentence(scene),
+  EXPECT_EQ(sentence(scene),
             "A column of liquid, 0.1\u00a0m long and 0.2\u00a0m high, in an open tank 0.6\u00a0m long, 0.4\u00a0m high "
             "and 50\u00a0mm wide "
             "that rolls by 0.5° at 0.8\u00a0Hz, in 3-D.");
 }
 
-TEST(ReportPage, LeavesOutRowsThatNothingIsKnownOf) {
+TEST(ReportPage, TellsNothingAsCommonThatVaries) {
+  ReportRun still = test::report_run("a", 1), wild = still;
+  still.run.scene.parameters.motion.amplitude = 0;
+  wild.run.scene.parameters.motion.amplitude = 0.02;
+  wild.run.scene.parameters.fluid.depth = 0.05;
+  EXPECT_EQ(
+      report::tank_sentence({"tank", {still, wild}, {}, {}}),
+      "Liquid 50\u00a0mm\u00a0to 0.2\u00a0m deep in a closed tank 0.6\u00a0m long and 0.4\u00a0m high that surges "
+      "by 0\u00a0to 20\u00a0mm at 1\u00a0Hz, in 2-D.");
+  wild.run.scene.parameters.motion.type = "none";
+  EXPECT_EQ(
+      report::tank_sentence({"tank", {still, wild}, {}, {}}),
+      "Liquid 50\u00a0mm\u00a0to 0.2\u00a0m deep in a closed tank 0.6\u00a0m long and 0.4\u00a0m high whose motion "
+      "varies, in 2-D.");
+}
+
+TEST(ReportPage, LeavesOutColumnsThatNothingIsKnownOf) {
   ReportRun run = test::report_run("a", 1);
-  EXPECT_FALSE(has(page_of({"tank", {run}, {}, {}}), "Elevation error")) << "no reference";
+  EXPECT_FALSE(has(page_of({"tank", {run}, {}, {}}), "Off ")) << "no reference";
   run.readings = {};
   const std::string html = page_of({"tank", {run}, {}, {}});
-  EXPECT_FALSE(has(html, "Pressure noise") || has(html, "Level drift") || has(html, "<h2>Curves"));
-  EXPECT_TRUE(has(html, "survived 1 s") && has(html, "Time steps"));
+  EXPECT_FALSE(has(html, "Noise") || has(html, "Drift") || has(html, "<h2>Curves"));
+  EXPECT_TRUE(has(html, "survived 1 s") && has(html, "Steps"));
   run.run.info.sensors.clear();
   EXPECT_TRUE(has(page_of({"tank", {run}, {}, {}}), "survived 1 s")) << "of a run without sensors, too";
 }
@@ -101,6 +164,7 @@ TEST(ReportPage, EmbedsTheMovieOrLinksALargeOne) {
   test::write_text(movie, "foobar");
   const Report report{"tank", {test::report_run("a", 1)}, movie, {}};
   EXPECT_TRUE(has(report::page(report, scratch.folder()), "src=\"data:video/mp4;base64,Zm9vYmFy\""));
+  EXPECT_TRUE(has(report::page(report, scratch.folder()), "<video class=\"movie\" controls")) << "for want of a script";
   fs::resize_file(movie, 41'000'000);
   const std::string html = report::page(report, scratch.folder());
   EXPECT_TRUE(has(html, "src=\"runs/a%20b.mp4\"") && has(html, ">runs/a b.mp4</a>"));
