@@ -55,8 +55,7 @@ void report_on(const std::vector<ComparedRun>& runs, const OutputFolder& files, 
   page.movie = files.movie(request.movie);
   page.command = command_of(request);
   const Clock clock = clock_of(runs);
-  page.stills = even_stills(stored_pictures({files.path, {}, {}, {}}), clock.interval,
-                            clock.interval * static_cast<double>(clock.last));
+  page.stills = even_stills(stored_pictures({files.path, {}, {}, {}}), clock.interval, clock.end);
   write_report(files.report(), page);
 }
 
