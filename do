@@ -19,7 +19,7 @@ usage: ./do VERB
   demo     build, then run scenes/pan2008.toml and say where its movie is
   test     build with tests, then run them all through CTest
   bench    build with benchmarks, then run them into out/bench/; './do bench quick' takes a minute
-  gallery  build, then make the small pictures of scenes/gallery/ anew; five minutes
+  gallery  build, then make the small pictures of scenes/gallery/ anew; some minutes
   format   rewrite the sources in the house style (clang-format)
   clean    remove build/ and out/
 TEXT
