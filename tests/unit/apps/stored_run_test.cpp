@@ -12,6 +12,7 @@
 #include "apps/scene_text.hpp"
 #include "tests/unit/apps/errors_of.hpp"
 #include "tests/unit/apps/files.hpp"
+#include "tests/unit/apps/refusal.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -122,12 +123,7 @@ TEST_F(StoredRunTest, ListsFramesAndPictures) {
 }
 
 std::string refusal_of(const std::filesystem::path& folder) {
-  try {
-    read_run(folder);
-  } catch (const BadFolder& error) {
-    return error.what();
-  }
-  return "taken";
+  return test::refusal([&] { read_run(folder); });
 }
 
 TEST_F(StoredRunTest, RefusesWhatIsNoRun) {

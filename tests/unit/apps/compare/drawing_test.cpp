@@ -11,24 +11,16 @@
 #include "render/compared_curves.hpp"
 #include "render/outputs.hpp"
 #include "tests/unit/apps/files.hpp"
+#include "tests/unit/apps/refusal.hpp"
 #include "tests/unit/render/synthetic_curves.hpp"
 
 namespace seiche::apps::compare {
 namespace {
 
+using test::refusal;
 using test::Scratch;
 using test::write_text;
 using Status = Ending::Status;
-
-template <class F>
-std::string refusal(F f) {
-  try {
-    f();
-  } catch (const BadFolder& error) {
-    return error.what();
-  }
-  return "";
-}
 
 // A run with a frame at each interval up to a time.
 ComparedRun run_until(double time, double interval, Status status = Status::finished) {

@@ -3,24 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/apps/files.hpp"
+#include "tests/unit/apps/refusal.hpp"
 
 namespace fs = std::filesystem;
 
 namespace seiche::apps::compare {
 namespace {
 
+using test::refusal;
 using test::Scratch;
 using test::write_text;
-
-template <class F>
-std::string refusal(F f) {
-  try {
-    f();
-  } catch (const BadFolder& error) {
-    return error.what();
-  }
-  return "";
-}
 
 std::vector<Place> places(const Scratch& scratch, const std::vector<std::string>& folders) {
   std::vector<Place> all;

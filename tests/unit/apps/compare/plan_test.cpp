@@ -10,6 +10,7 @@
 #include "apps/run_json.hpp"
 #include "apps/scene_file.hpp"
 #include "tests/unit/apps/files.hpp"
+#include "tests/unit/apps/refusal.hpp"
 
 namespace seiche::apps::compare {
 namespace {
@@ -157,12 +158,7 @@ TEST(IsDone, NotWhereTheFolderHoldsAnotherRun) {
 
 // What check_kept says of a folder; nothing where it lets it be run in.
 std::string complaint_of(const PlannedRun& run) {
-  try {
-    check_kept(run);
-  } catch (const BadFolder& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal([&] { check_kept(run); });
 }
 
 constexpr const char* ways_out = "; choose another folder with -o DIR, or replace what is there with --overwrite";
