@@ -68,7 +68,9 @@ TEST_P(SimulationIn, KnowsTheLeastDistanceOfTwoParticles) {
         for (int a = 0; a < 3; ++a) squared += std::pow(frame->position[i][a] - frame->position[j][a], 2);
         least = std::min(least, std::sqrt(squared));
       }
-    if (simulation->time() == 0) EXPECT_NEAR(least, p.particles.spacing, 1e-6);
+    if (simulation->time() == 0) {
+      EXPECT_NEAR(least, p.particles.spacing, 1e-6);
+    }
     simulation->step(0.05);
   }
   EXPECT_LT(least, 0.99 * p.particles.spacing) << "else nothing moved";
