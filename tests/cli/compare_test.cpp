@@ -243,7 +243,7 @@ TEST(Compare, CtrlCEndsAllVariantsCleanly) {
   const Scratch scratch;
   Program program(scratch.folder(), {"compare", quick, "--vary", "method.kernel=KF1,KF3,KF4", "--end", "40",
                                      "--threads", "2", "--size", "640x360"});
-  ASSERT_TRUE(program.wait_for("10 %"));
+  ASSERT_TRUE(program.wait_for("KF1    [#"));
   program.signal(SIGINT);
   const Result result = program.wait();
   EXPECT_EQ(result.code, 130) << result.err;
