@@ -60,10 +60,11 @@ std::optional<StoredFrame> FrameList::next(const std::stop_token& stop) {
 }
 
 std::vector<StoredFrame> listed_pictures(const StoredRun& run) {
+  const double end = run.record.ending ? run.record.ending->time : run.info.end;
   std::vector<StoredFrame> list;
   for (const auto& file : stored_pictures(run)) {
     const long index = whole(file.stem().string()).value_or(0);
-    list.push_back({index, static_cast<double>(index) * run.info.frame_interval, file});
+    list.push_back({index, std::min(static_cast<double>(index) * run.info.frame_interval, end), file});
   }
   return list;
 }

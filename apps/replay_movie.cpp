@@ -86,19 +86,28 @@ void check_file(const fs::path& file, const StoredRun& run, bool overwrite) {
         fmt::format("{} exists; choose another name with -o FILE, or replace it with --overwrite", file.string()));
 }
 
-// Whether the run has pictures, or will have. Where one is missing between others, all are drawn anew, or can't be.
+std::vector<StoredFrame> asked_for(const ReplayRequest& request, std::vector<StoredFrame> all) {
+  std::erase_if(all, [&](const StoredFrame& each) { return !request.frames.holds(each); });
+  return all;
+}
+
+// Whether the run has pictures, or will have. Where one is missing, all are drawn anew, or can't be.
 bool has_pictures(const ReplayRequest& request, const StoredRun& run) {
-  auto pictures = listed_pictures(run);
-  std::erase_if(pictures, [&](const StoredFrame& each) { return !request.frames.holds(each); });
+  if (request.latest && !run.record.ending) return run.scene.output.pictures;
+  const auto pictures = asked_for(request, listed_pictures(run)), frames = asked_for(request, stored_frames(run));
+  const auto is_of = [](long index) { return [index](const StoredFrame& each) { return each.index == index; }; };
+  if (std::any_of(frames.begin(), frames.end(), [&](const StoredFrame& frame) {
+        return std::none_of(pictures.begin(), pictures.end(), is_of(frame.index));
+      }))
+    return false;
   const auto apart = [](const StoredFrame& a, const StoredFrame& b) { return b.index != a.index + 1; };
   const auto gap = std::adjacent_find(pictures.begin(), pictures.end(), apart);
-  if (gap != pictures.end() && run.scene.output.vtu) return false;
   if (gap != pictures.end())
     throw BadFolder(
         fmt::format("the picture after {} isn't there, and without VTU files it can't be drawn anew; "
                     "choose others with --frames A:B",
                     gap->file.string()));
-  return !pictures.empty() || (request.latest && run.scene.output.pictures && !run.record.ending);
+  return !pictures.empty();
 }
 
 }  // namespace

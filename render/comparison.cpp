@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "render/annotations.hpp"
 #include "render/camera.hpp"
@@ -32,16 +33,57 @@ const SensorCurve* measured(const std::vector<SensorCurve>& curves) {
   return found == curves.end() ? nullptr : &*found;
 }
 
-double note_width(const SensorCurve* curve) {
+// How much is said above the panels: of labels the values alone, of deviations not from what.
+struct Wording {
+  bool brief_labels = false, brief_notes = false;
+};
+
+double note_width(const SensorCurve* curve, Wording wording) {
   constexpr double wide = 0.0888;
-  return curve ? text_width(deviation_text(wide, curve->title, curve->references.front().label)) : 0;
+  if (!curve) return 0;
+  return text_width(deviation_text(wide, curve->title, wording.brief_notes ? "" : curve->references.front().label));
 }
 
-std::string note_of(const SensorCurve* curve, std::size_t variant, double time) {
+std::string note_of(const SensorCurve* curve, std::size_t variant, double time, Wording wording) {
   if (!curve) return "";
   const Reference& reference = curve->references.front();
   return deviation_text(deviation(curve->traces[variant].series, reference.series, time), curve->title,
-                        reference.label);
+                        wording.brief_notes ? "" : reference.label);
+}
+
+// A run that fails says so; how far it was off before is no matter.
+std::vector<PanelNeeds> needs_of(const std::vector<Variant>& variants, const SensorCurve* curve, Wording wording) {
+  std::vector<PanelNeeds> needs;
+  for (const Variant& variant : variants)
+    needs.push_back({Panel::label_width(wording.brief_labels ? brief(variant.label) : variant.label),
+                     variant.failed ? 0 : note_width(curve, wording)});
+  return needs;
+}
+
+// Labels that find room count before notes that do.
+std::pair<std::size_t, std::size_t> found_room(const GridLayout& layout, const std::vector<PanelNeeds>& needs) {
+  std::size_t labels = 0, notes = 0;
+  for (std::size_t i = 0; i < needs.size(); ++i) {
+    labels += needs[i].label * layout.around.font <= layout.panels[i].view.width;
+    notes += needs[i].note == 0 || layout.panels[i].note.width > 0;
+  }
+  return {labels, notes};
+}
+
+// The fullest wording of those that find room for the most.
+std::pair<GridLayout, Wording> worded_layout(const Needs& needs, const std::vector<Variant>& variants,
+                                             const SensorCurve* curve) {
+  std::pair<GridLayout, Wording> best;
+  std::pair<std::size_t, std::size_t> most;
+  for (const Wording wording : {Wording{false, false}, Wording{false, true}, Wording{true, true}}) {
+    const auto panels = needs_of(variants, curve, wording);
+    GridLayout layout = lay_out_grid(needs, panels);
+    const auto found = found_room(layout, panels);
+    if (!best.first.panels.empty() && found <= most) continue;
+    most = found;
+    best = {std::move(layout), wording};
+  }
+  return best;
 }
 
 // What all panels show, so that they have one scale.
@@ -81,6 +123,7 @@ struct Comparison::Stage {
   std::vector<std::unique_ptr<Panel>> panels;
   std::optional<ScalarBar> bar;
   CurveStrip strip;
+  Wording wording;
   PixelReader pixels;
 
   Stage(const std::vector<Variant>& variants, const Look& look, const std::vector<SensorCurve>& curves,
@@ -90,7 +133,7 @@ struct Comparison::Stage {
 Comparison::Stage::Stage(const std::vector<Variant>& variants, const Look& look, const std::vector<SensorCurve>& curves,
                          const std::vector<PanelFrame>& frames, Range range)
     : strip(curves) {
-  const Palette colours = palette(look.background);
+  const Palette colours = palette_of_several(look.background);
   const Quantity quantity = quantity_of(look.quantity);
   const View view = view_of(variants, look, frames);
   RunInfo longest = variants.front().run;
@@ -103,10 +146,8 @@ Comparison::Stage::Stage(const std::vector<Variant>& variants, const Look& look,
     needs.bar_title = text_width(title_of(quantity));
   }
   strip.claim(needs);
-  std::vector<PanelNeeds> panel_needs;
-  const double note = note_width(measured(curves));
-  for (const Variant& variant : variants) panel_needs.push_back({Panel::label_width(variant.label), note});
-  const GridLayout layout = lay_out_grid(needs, panel_needs);
+  const auto [layout, worded] = worded_layout(needs, variants, measured(curves));
+  wording = worded;
   if (layout.panels.front().view.width < 8 || layout.panels.front().view.height < 8)
     throw std::invalid_argument(fmt::format("a picture of {} x {} pixels is too small for {} panels", look.width,
                                             look.height, variants.size()));
@@ -118,8 +159,11 @@ Comparison::Stage::Stage(const std::vector<Variant>& variants, const Look& look,
   set_background(paper, look, colours.paper);
   double finest = longest.spacing;
   for (const Variant& variant : variants) finest = std::min(finest, variant.run.spacing);
-  for (std::size_t i = 0; i < variants.size(); ++i)
-    panels.push_back(std::make_unique<Panel>(window, paper, variants[i], i, look, view, layout, colours, finest));
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    Variant variant = variants[i];
+    if (wording.brief_labels) variant.label = brief(variant.label);
+    panels.push_back(std::make_unique<Panel>(window, paper, variant, i, look, view, layout, colours, finest));
+  }
   if (look.show_bar) bar.emplace(paper, layout.around, quantity, ColourMap(look.colour_map), colours.ink);
   words->place(paper, layout.around, view.foreshortening(),
                arrow_font(layout.panels.front().view.width, layout.around.font), colours.ink);
@@ -151,8 +195,8 @@ Image Comparison::draw(double time, const std::vector<PanelFrame>& frames, Range
   }
   Range found{range.high, range.low};
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const bool broken = frames[i].ended && variants_[i].failed;
-    stage_->panels[i]->show(frames[i], range, broken ? "" : note_of(measured(curves_), i, time));
+    stage_->panels[i]->show(frames[i], range,
+                            variants_[i].failed ? "" : note_of(measured(curves_), i, time, stage_->wording));
     if (frames[i].ended) continue;
     const Range pressures = fluid_range(*frames[i].frame, quantity_of(look_.quantity));
     found = {std::min(found.low, pressures.low), std::max(found.high, pressures.high)};

@@ -19,13 +19,6 @@ bool is_elevation(const std::string& name) { return name.starts_with("eta_"); }
 bool is_pressure(const std::string& name) { return name.starts_with("p_"); }
 using Columns = std::vector<std::size_t>;
 
-// "[m\u00b2]" of "[m^2]".
-std::string raised_powers(std::string unit) {
-  for (const auto& [plain, raised] : {std::pair{"^2", "\u00b2"}, {"^3", "\u00b3"}})
-    if (const auto place = unit.find(plain); place != std::string::npos) unit.replace(place, 2, raised);
-  return unit;
-}
-
 void add(Columns& columns, std::size_t column) {
   if (columns.size() < most_curves && std::find(columns.begin(), columns.end(), column) == columns.end())
     columns.push_back(column);
@@ -62,6 +55,12 @@ std::optional<std::vector<std::string>> named_curves(const std::string& curves) 
         fmt::format("'{}' are no curves; give auto, none or up to {} sensors, as in \"eta_left, p_left_bottom\"",
                     curves, most_curves));
   return names;
+}
+
+std::string raised_powers(std::string unit) {
+  for (const auto& [plain, raised] : {std::pair{"^2", "\u00b2"}, {"^3", "\u00b3"}})
+    if (const auto place = unit.find(plain); place != std::string::npos) unit.replace(place, 2, raised);
+  return unit;
 }
 
 bool is_motion(const std::string& name) { return name == "surge" || name == "heave" || name == "roll"; }

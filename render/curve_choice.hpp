@@ -23,6 +23,9 @@ bool is_motion(const std::string& name);
 /// A column's name in words: "pressure, left bottom [Pa]" of "p_left_bottom [Pa]".
 std::string curve_title(const std::string& column);
 
+/// A unit as it is written by hand: "m\u00b2/s" of "m^2/s".
+std::string raised_powers(std::string unit);
+
 /// Which of the run's sensor columns are drawn. "auto": those that have a reference, then the first elevation, the
 /// first pressure and the tank's motion. Throws std::invalid_argument for a name that no column bears.
 std::vector<std::size_t> chosen_columns(const Look& look, const std::vector<std::string>& sensors);

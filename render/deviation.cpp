@@ -39,12 +39,12 @@ double deviation(const Series& series, const Series& reference, double until) {
 
 std::string deviation_text(double deviation, const std::string& column, const std::string& label) {
   if (!std::isfinite(deviation)) return "";
-  if (column.ends_with("[m]")) return fmt::format("{:.1f} mm RMS off {}", 1000 * deviation, label);
+  const std::string off = label.empty() ? "" : " off " + label;
+  if (column.ends_with("[m]")) return fmt::format("{:.1f} mm RMS{}", 1000 * deviation, off);
   const auto bracket = column.find('['), end = column.find(']');
   const std::string unit = bracket == std::string::npos ? "" : column.substr(bracket + 1, end - bracket - 1) + " ";
-  return fmt::format("{} {}RMS off {}",
-                     deviation < 100 ? fmt::format("{:.3g}", deviation) : fmt::format("{:.0f}", deviation), unit,
-                     label);
+  return fmt::format("{} {}RMS{}",
+                     deviation < 100 ? fmt::format("{:.3g}", deviation) : fmt::format("{:.0f}", deviation), unit, off);
 }
 
 }  // namespace seiche::render

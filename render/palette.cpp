@@ -33,4 +33,13 @@ Palette palette(const std::string& background) {
           .runs = run_colours({136, 34, 85}, {153, 153, 51}, {51, 34, 136})};
 }
 
+Palette palette_of_several(const std::string& background) {
+  Palette colours = palette(background);
+  if (background == "black")
+    colours.references = {{{255, 255, 255}, {185, 185, 185}, {140, 140, 140}}};
+  else
+    colours.references = {{{40, 40, 40}, {95, 95, 95}, {135, 135, 135}}};
+  return colours;
+}
+
 }  // namespace seiche::render

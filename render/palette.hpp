@@ -22,4 +22,7 @@ struct Palette {
 /// Of Look::background.
 Palette palette(const std::string& background);
 
+/// The same for a picture of several runs: references are greys, which are no run's colour, and differ by their dashes.
+Palette palette_of_several(const std::string& background);
+
 }  // namespace seiche::render

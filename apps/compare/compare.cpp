@@ -76,8 +76,13 @@ int show(const Request& request, const std::vector<ComparedRun>& runs, const ren
   const bool whole = draw(runs, look, {draft.files().frames(), draft.files().movie(request.movie)}, told);
   if (whole) report_on(runs, draft.files(), request);
   // Part of a movie is better than none, but not than an earlier one.
-  const bool kept = !whole && !stored_pictures({folder, {}, {}, {}}).empty();
-  if (!kept) draft.publish();
+  const bool kept = !whole && is_drawn(folder);
+  if (!kept) {
+    draft.publish();
+    std::vector<Place> places;
+    for (const ComparedRun& each : runs) places.push_back({each.label, each.run.folder});
+    write_note(folder, places);
+  }
   if (!request.quiet) {
     fmt::print("{} after {}{}\n", whole ? "Done" : "Interrupted", clock_text(watch.seconds()),
                kept ? "; the earlier movie and pictures are kept" : "");
@@ -104,7 +109,8 @@ int compare_scene(const Request& request) {
 
   const Stopwatch watch;
   const SignalWatch signals;
-  write_note(folder, places);
+  // Tells the folder from a stranger's; of pictures that are there, the note is theirs.
+  if (!is_drawn(folder)) write_note(folder, places);
   Board board(Progress::suitable(request.quiet));
   const int threads = request.threads > 0 ? request.threads : omp_get_num_procs();
   const Outcome outcome = run_all(runs, threads, request.overwrite, board, [&] { return signals.caught(); });
@@ -205,7 +211,7 @@ int compare_folders(const Request& request) {
   check_folder(folder, places, request.overwrite);
   const Stopwatch watch;
   const SignalWatch signals;
-  write_note(folder, places);
+  if (!is_drawn(folder)) write_note(folder, places);
   return show(request, runs, look, folder, signals, watch);
 }
 

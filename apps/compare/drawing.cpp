@@ -158,6 +158,7 @@ std::size_t frame_at(const ComparedRun& run, double time) {
 
 render::Variant variant_of(const ComparedRun& run, double end) {
   render::Variant variant{run.run.info, run.label, {}, has_failed(run)};
+  variant.run.end = std::min(variant.run.end, end);
   const Statistics& totals = run.run.record.statistics;
   if (totals.leaked > 0) variant.label += fmt::format(", {} leaked", totals.leaked);
   if (totals.spilled > 0) variant.label += fmt::format(", {} spilled", totals.spilled);

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/run_info.hpp"
+#include "apps/stored_run.hpp"
 #include "render/file.hpp"
 
 namespace fs = std::filesystem;
@@ -61,12 +62,14 @@ FolderLock::FolderLock(const fs::path& folder) {
 
 FolderLock::~FolderLock() { close(descriptor_); }
 
+bool is_drawn(const fs::path& folder) { return !stored_pictures({folder, {}, {}, {}}).empty(); }
+
 void check_folder(const fs::path& folder, const std::vector<Place>& runs, bool overwrite) {
   if (fs::exists(files_in(folder).record()))
     throw BadFolder(fmt::format("{} is the folder of a run; choose another with -o DIR", folder.string()));
   const bool again = fs::exists(note_in(folder));
   files_in(folder).check(overwrite || again);
-  if (overwrite || !again) return;
+  if (overwrite || !again || !is_drawn(folder)) return;
   const auto earlier = noted(folder);
   const auto is_shown = [&](const std::string& run) {
     return std::any_of(runs.begin(), runs.end(), [&](const Place& p) { return told(p.folder, folder) == run; });

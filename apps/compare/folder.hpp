@@ -30,8 +30,11 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
-/// Throws BadFolder for the folder of a run and, unless they may be overwritten, for a stranger's files and for a
-/// comparison that shows others than these. Writes nothing.
+/// Whether a comparison's pictures are in the folder.
+bool is_drawn(const std::filesystem::path& folder);
+
+/// Throws BadFolder for the folder of a run and, unless they may be overwritten, for a stranger's files and for
+/// pictures of a comparison of others than these. Writes nothing.
 void check_folder(const std::filesystem::path& folder, const std::vector<Place>& runs, bool overwrite);
 
 /// Writes compare.json, which tells what check_folder asks for. Throws std::runtime_error.

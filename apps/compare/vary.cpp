@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "apps/lists.hpp"
+#include "render/curve_choice.hpp"
 #include "render/grid_layout.hpp"
 
 namespace seiche::apps::compare {
@@ -40,9 +41,10 @@ bool is_small_length(const Option& option, std::string_view unit) {
 std::string label_part(const Option& option, const Scene& scene) {
   const Value value = value_of(option, scene);
   const std::string_view unit = unit_of(option, scene);
-  const std::string with_unit = is_small_length(option, unit)
-                                    ? fmt::format("{:.6g} mm", 1e3 * std::get<double>(value))
-                                    : fmt::format("{}{}{}", text_of(value), unit.empty() ? "" : " ", unit);
+  const std::string with_unit =
+      is_small_length(option, unit)
+          ? fmt::format("{:.6g} mm", 1e3 * std::get<double>(value))
+          : fmt::format("{}{}{}", text_of(value), unit.empty() ? "" : " ", render::raised_powers(std::string(unit)));
   if (speaks_for_itself(option) || option.key == "spacing") return with_unit;
   std::string key(option.key);
   std::replace(key.begin(), key.end(), '_', ' ');

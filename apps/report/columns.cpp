@@ -77,7 +77,7 @@ Column error_column(const Report& report, const std::vector<Measures>& all, cons
       title_of(sensors.elevation), "Off " + reference.label, "mm RMS",
       fmt::format("Root mean square of the difference from the reference over the times that both have{}; in small, "
                   "in % of the same of still liquid.",
-                  told ? ", as above the panels at the movie’s end" : ""),
+                  told ? ", as above the panels at the movie’s end where there is room" : ""),
       cells(all, cell)};
 }
 

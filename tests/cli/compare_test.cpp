@@ -139,6 +139,9 @@ TEST(Compare, AnEarlierComparisonStaysUntilTheNewOneIsWhole) {
   const Result failed = seiche(scratch.folder(), compare(few));
   EXPECT_EQ(failed.code, 1) << failed.err;
   EXPECT_TRUE(shown_in(out) == before);
+  fs::copy(out / "KF2", scratch / "other", fs::copy_options::recursive);
+  EXPECT_EQ(seiche(scratch.folder(), {"compare", "out/KF3", "other", "-o", "out", "--overwrite"}).code, 1);
+  EXPECT_TRUE(shown_in(out) == before) << "its note too";
 
   write_text(out / "KF3/vtu/quick_000050.vtu", vtu);
   for (const char* gone : {"compare.mp4", "report.html", "frames"}) fs::remove_all(out / gone);

@@ -79,6 +79,9 @@ TEST_F(Replay, DrawsAnewWhatPicturesAreMissing) {
   fs::remove(out / "frames/000003.png");
   run({"movie", "out/quick", "-o", "a.mp4"});
   EXPECT_EQ(facts_of(scratch / "a.mp4"), "320,240,25/1,6");
+  for (const char* last : {"frames/000000.png", "frames/000005.png"}) fs::remove(out / last);
+  run({"movie", "out/quick", "-o", "ends.mp4"});
+  EXPECT_EQ(facts_of(scratch / "ends.mp4"), "320,240,25/1,6");
   fs::remove(out / "vtu/quick_000004.vtu");
   for (const std::string verb : {"render", "movie"}) {
     const Result result = seiche(scratch.folder(), {verb, "out/quick", "-o", "none.mp4"});
@@ -87,7 +90,7 @@ TEST_F(Replay, DrawsAnewWhatPicturesAreMissing) {
               "seiche: out/quick/vtu/quick_000004.vtu isn't there, though the run lists it; run it again\n");
     EXPECT_FALSE(fs::exists(scratch / "none.mp4"));
   }
-  run({"movie", "out/quick", "-o", "b.mp4", "--frames", "4:"});
+  run({"movie", "out/quick", "-o", "b.mp4", "--frames", "1:2"});
   EXPECT_EQ(facts_of(scratch / "b.mp4"), "320,240,25/1,2") << "whose pictures are there";
 }
 

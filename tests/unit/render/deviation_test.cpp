@@ -26,5 +26,6 @@ TEST(Deviation, IsToldInTheSensorsUnit) {
   EXPECT_EQ(deviation_text(0.00412, "elevation, left [m]", "VOF"), "4.1 mm RMS off VOF");
   EXPECT_EQ(deviation_text(1234.6, "pressure, left bottom [Pa], mean of 0.1 s", "theory"), "1235 Pa RMS off theory");
   EXPECT_EQ(deviation_text(0.5, "something", "theory"), "0.5 RMS off theory");
+  EXPECT_EQ(deviation_text(0.00412, "elevation, left [m]", ""), "4.1 mm RMS") << "where there is no room for more";
   EXPECT_EQ(deviation_text(std::nan(""), "x [m]", "VOF"), "");
 }

@@ -49,6 +49,17 @@ double distance(const Triple& a, const Triple& b) { return std::hypot(a[0] - b[0
 
 }  // namespace
 
+TEST(Palette, ReferencesOfSeveralRunsAreNoRunsColour) {
+  for (const char* background : {"white", "black"}) {
+    const Palette colours = palette_of_several(background);
+    for (const Rgb& reference : colours.references) {
+      EXPECT_TRUE(reference[0] == reference[1] && reference[1] == reference[2]) << "grey";
+      EXPECT_GT(std::abs(seen(reference, eyes[0])[0] - seen(colours.paper, eyes[0])[0]), 40);
+      for (const Rgb& run : colours.runs) EXPECT_GT(distance(seen(reference, eyes[0]), seen(run, eyes[0])), 12);
+    }
+  }
+}
+
 TEST(Palette, RunsDifferForEveryEyeAndFromThePaper) {
   for (const char* background : {"white", "black", "transparent"}) {
     const Palette colours = palette(background);

@@ -39,6 +39,9 @@ TEST(CheckFolder, TakesTheSameComparisonOrALargerOneAgainButNoOther) {
   const std::string complaint = folder.string() +
                                 " holds a comparison of other runs: ../A, KF1; choose another folder with -o DIR, or "
                                 "replace the comparison with --overwrite";
+  EXPECT_EQ(asked({"A", "B"}), "") << "nothing of it has been drawn";
+  write_text(folder / "frames/000000.png", "drawn");
+  EXPECT_EQ(asked({"c/KF1", "A"}), "");
   EXPECT_EQ(asked({"A", "B"}), complaint);
   EXPECT_EQ(asked({"A"}), complaint);
   EXPECT_EQ(asked({"A", "B"}, true), "");
