@@ -8,83 +8,20 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "render/annotations.hpp"
 #include "render/camera.hpp"
 #include "render/compared_curves.hpp"
 #include "render/curve_strip.hpp"
-#include "render/deviation.hpp"
-#include "render/grid_layout.hpp"
 #include "render/panel.hpp"
 #include "render/pixels.hpp"
 #include "render/range.hpp"
 #include "render/scalar_bar.hpp"
 #include "render/window.hpp"
+#include "render/wording.hpp"
 
 namespace seiche::render {
 namespace {
-
-// The first curve with something to compare it with, whose deviation is told above each panel; null where there is
-// none.
-const SensorCurve* measured(const std::vector<SensorCurve>& curves) {
-  const auto found =
-      std::find_if(curves.begin(), curves.end(), [](const auto& curve) { return !curve.references.empty(); });
-  return found == curves.end() ? nullptr : &*found;
-}
-
-// How much is said above the panels: of labels the values alone, of deviations not from what.
-struct Wording {
-  bool brief_labels = false, brief_notes = false;
-};
-
-double note_width(const SensorCurve* curve, Wording wording) {
-  constexpr double wide = 0.0888;
-  if (!curve) return 0;
-  return text_width(deviation_text(wide, curve->title, wording.brief_notes ? "" : curve->references.front().label));
-}
-
-std::string note_of(const SensorCurve* curve, std::size_t variant, double time, Wording wording) {
-  if (!curve) return "";
-  const Reference& reference = curve->references.front();
-  return deviation_text(deviation(curve->traces[variant].series, reference.series, time), curve->title,
-                        wording.brief_notes ? "" : reference.label);
-}
-
-// A run that fails says so; how far it was off before is no matter.
-std::vector<PanelNeeds> needs_of(const std::vector<Variant>& variants, const SensorCurve* curve, Wording wording) {
-  std::vector<PanelNeeds> needs;
-  for (const Variant& variant : variants)
-    needs.push_back({Panel::label_width(wording.brief_labels ? brief(variant.label) : variant.label),
-                     variant.failed ? 0 : note_width(curve, wording)});
-  return needs;
-}
-
-// Labels that find room count before notes that do.
-std::pair<std::size_t, std::size_t> found_room(const GridLayout& layout, const std::vector<PanelNeeds>& needs) {
-  std::size_t labels = 0, notes = 0;
-  for (std::size_t i = 0; i < needs.size(); ++i) {
-    labels += needs[i].label * layout.around.font <= layout.panels[i].view.width;
-    notes += needs[i].note == 0 || layout.panels[i].note.width > 0;
-  }
-  return {labels, notes};
-}
-
-// The fullest wording of those that find room for the most.
-std::pair<GridLayout, Wording> worded_layout(const Needs& needs, const std::vector<Variant>& variants,
-                                             const SensorCurve* curve) {
-  std::pair<GridLayout, Wording> best;
-  std::pair<std::size_t, std::size_t> most;
-  for (const Wording wording : {Wording{false, false}, Wording{false, true}, Wording{true, true}}) {
-    const auto panels = needs_of(variants, curve, wording);
-    GridLayout layout = lay_out_grid(needs, panels);
-    const auto found = found_room(layout, panels);
-    if (!best.first.panels.empty() && found <= most) continue;
-    most = found;
-    best = {std::move(layout), wording};
-  }
-  return best;
-}
 
 // What all panels show, so that they have one scale.
 View view_of(const std::vector<Variant>& variants, const Look& look, const std::vector<PanelFrame>& frames) {

@@ -26,26 +26,7 @@ void confine(vtkRenderer* renderer, const Box& box, const Look& look) {
 
 double middle(const Box& box) { return box.y + box.height / 2; }
 
-// Of "amplitude 20 mm" all from the number on, or else the last word.
-std::string value_in(const std::string& part) {
-  std::size_t word = 0;
-  while (part.find(' ', word) != std::string::npos &&
-         std::string("+-.0123456789").find(part[word]) == std::string::npos)
-    word = part.find(' ', word) + 1;
-  return part.substr(word);
-}
-
 }  // namespace
-
-std::string brief(const std::string& label) {
-  std::string values;
-  for (std::size_t start = 0; start <= label.size();) {
-    const std::size_t comma = std::min(label.find(", ", start), label.size());
-    values += (values.empty() ? "" : ", ") + value_in(label.substr(start, comma - start));
-    start = comma + 2;
-  }
-  return values;
-}
 
 Panel::Panel(vtkRenderWindow* window, vtkRenderer* words, const Variant& variant, std::size_t number, const Look& look,
              const View& view, const GridLayout& layout, const Palette& colours, double finest)

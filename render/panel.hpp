@@ -15,9 +15,6 @@ class vtkRenderer;
 
 namespace seiche::render {
 
-/// The values alone of a label such as "viscosity 0.001 m\u00b2/s, amplitude 20 mm": "0.001 m\u00b2/s, 20 mm".
-std::string brief(const std::string& label);
-
 /// One of the runs in a comparison: its tank, a label behind a piece of its curve, and once it has ended a veil with a
 /// message over it.
 class Panel {

@@ -6,7 +6,6 @@
 
 #include "render/compared_curves.hpp"
 #include "render/palette.hpp"
-#include "render/panel.hpp"
 #include "render/particles.hpp"
 #include "render/range.hpp"
 #include "tests/unit/render/synthetic_comparison.hpp"
@@ -39,14 +38,6 @@ long pixels_of(const Image& image, Rgb colour) {
 }
 
 }  // namespace
-
-TEST(Labels, InBriefAreValuesAlone) {
-  EXPECT_EQ(brief("viscosity 0.001 m\u00b2/s, amplitude 20 mm"), "0.001 m\u00b2/s, 20 mm");
-  EXPECT_EQ(brief("KF3, 10 mm, start impulsive"), "KF3, 10 mm, impulsive");
-  EXPECT_EQ(brief("kf2 alpha 0.5, depth -1 m"), "0.5, -1 m");
-  EXPECT_EQ(brief("KF5, 40 leaked"), "KF5, 40 leaked");
-  EXPECT_EQ(brief(""), "");
-}
 
 TEST(ComparedCurves, AreOnePlotToASensorWithACurveOfEachRun) {
   const auto curves = compared_curves(test::variants(box, 3), Look{});
