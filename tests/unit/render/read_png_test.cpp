@@ -32,7 +32,7 @@ TEST(ReadPng, SaysWhichFileIsMissingOrDamaged) {
   EXPECT_TRUE(trouble_with(file).starts_with(sentence)) << trouble_with(file);
 
   Image image{64, 64, {}};
-  for (int i = 0; i < 4 * 64 * 64; ++i) image.rgba.push_back(static_cast<std::uint8_t>(i * i * 31 / 7));
+  for (unsigned i = 0; i < 4 * 64 * 64; ++i) image.rgba.push_back(static_cast<std::uint8_t>(i * i * 31 / 7));
   write_png(file, image, {});
   EXPECT_EQ(trouble_with(file), "none");
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
