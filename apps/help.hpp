@@ -74,7 +74,8 @@ constexpr const char* movie_footer = R"(Examples:
   seiche movie out/quick --view lab --size 640x360 -o lab.webm
   seiche movie out/quick --latest
 
-Takes the run's pictures as they are. Where it has none, or is to look otherwise, its VTU files are drawn.)";
+Takes the run's pictures as they are. Where one is missing, or they are to look otherwise, its VTU files are drawn. A
+movie that is replaced stays until the new one is whole.)";
 
 constexpr const char* check_footer = R"(Examples:
   seiche check scenes/quick.toml

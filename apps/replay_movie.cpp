@@ -95,11 +95,7 @@ std::vector<StoredFrame> asked_for(const ReplayRequest& request, std::vector<Sto
 bool has_pictures(const ReplayRequest& request, const StoredRun& run) {
   if (request.latest && !run.record.ending) return run.scene.output.pictures;
   const auto pictures = asked_for(request, listed_pictures(run)), frames = asked_for(request, stored_frames(run));
-  const auto is_of = [](long index) { return [index](const StoredFrame& each) { return each.index == index; }; };
-  if (std::any_of(frames.begin(), frames.end(), [&](const StoredFrame& frame) {
-        return std::none_of(pictures.begin(), pictures.end(), is_of(frame.index));
-      }))
-    return false;
+  if (!std::ranges::includes(pictures, frames, {}, &StoredFrame::index, &StoredFrame::index)) return false;
   const auto apart = [](const StoredFrame& a, const StoredFrame& b) { return b.index != a.index + 1; };
   const auto gap = std::adjacent_find(pictures.begin(), pictures.end(), apart);
   if (gap != pictures.end())
@@ -139,10 +135,12 @@ int replay_movie(const ReplayRequest& request) {
   }
   if (!replaced) return say_closing(request, ended, watch.seconds(), {{"movie", file}});
   const bool whole = ended.trouble.empty() && !ended.interrupted;
-  if (whole)
+  if (whole) {
     render::publish(file);
-  else
+  } else {
     fs::remove(made);
+    ended.frames = 0;  // of those drawn none is kept
+  }
   return say_closing(request, ended, watch.seconds(), {{whole ? "movie" : "as before", file}});
 }
 

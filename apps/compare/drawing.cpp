@@ -117,7 +117,7 @@ void check_readings(const ComparedRun& run) {
   if (!run.run.scene.output.probes || run.run.info.sensors.empty()) return;
   const auto& times = run.readings.time;
   const double read = times.empty() ? 0 : times.back() + 2 / run.run.scene.output.probe_rate;
-  if (read < last_time(run) && !(times.empty() && last_time(run) == 0))
+  if (read < last_time(run))
     throw BadFolder(fmt::format(
         "{} {}, though the run's frames go on to {:.3g} s; run it again", (run.run.folder / "probes.csv").string(),
         times.empty() ? "has no readings" : fmt::format("ends at {:.3g} s", times.back()), last_time(run)));

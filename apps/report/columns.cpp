@@ -7,7 +7,6 @@
 
 #include "apps/report/curves.hpp"
 #include "apps/report/words.hpp"
-#include "render/curve_choice.hpp"
 
 namespace seiche::apps::report {
 namespace {
@@ -17,13 +16,6 @@ std::vector<Cell> cells(const All& all, F cell) {
   std::vector<Cell> result;
   for (const auto& each : all) result.push_back(cell(each));
   return result;
-}
-
-// "Elevation, left 20mm" of "eta_left_20mm".
-std::string title_of(const std::string& sensor) {
-  std::string title = render::curve_title(sensor);
-  if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return title;
 }
 
 // With a true minus sign, which is as long as the plus.

@@ -28,12 +28,6 @@ std::vector<double> sorted(const render::Series& series, double end) {
   return values;
 }
 
-std::string title_of(const std::string& column) {
-  std::string title = render::curve_title(column);
-  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return title;
-}
-
 std::string column_named(const RunInfo& run, const std::string& sensor) {
   for (const std::string& column : run.sensors)
     if (render::bare_name(column) == sensor) return column;
@@ -54,10 +48,10 @@ void merge(std::vector<Trace>& traces) {
 }
 
 // Draws the runs as the movie above the curves does.
-void settle_as_in_pictures(Chart& chart, const Report& report) {
+void settle_as_in_pictures(Chart& chart) {
   render::SensorCurve curve;
   curve.title = chart.title;
-  for (const ReportRun& run : report.runs) curve.end = std::max(curve.end, run.run.info.end);
+  curve.end = chart.end;
   for (const Trace& trace : chart.traces) curve.traces.push_back({.series = trace.series, .broken_off = trace.failed});
   std::vector<render::SensorCurve> curves{std::move(curve)};
   render::settle(curves);
@@ -68,6 +62,12 @@ void settle_as_in_pictures(Chart& chart, const Report& report) {
 }
 
 }  // namespace
+
+std::string title_of(const std::string& column) {
+  std::string title = render::curve_title(column);
+  if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  return title;
+}
 
 std::vector<std::string> charted(const StoredRun& run) {
   render::Look look = run.scene.look;
@@ -114,7 +114,7 @@ std::vector<Chart> charts_of(const Report& report) {
     }
     if (chart.traces.empty() || chart.end <= 0) continue;
     merge(chart.traces);
-    if (report.runs.size() > 1) settle_as_in_pictures(chart, report);
+    if (report.runs.size() > 1) settle_as_in_pictures(chart);
     const std::vector<render::Reference> references = references_of(report, sensor);
     for (std::size_t i = 0; i < references.size(); ++i)
       chart.traces.push_back({references[i].label, i, false, true, false, references[i].series});

@@ -6,6 +6,9 @@
 
 namespace seiche::apps::report {
 
+/// "Elevation, left 20mm [m]" of the column "eta_left_20mm [m]"; so of a name without a unit.
+std::string title_of(const std::string& column);
+
 /// One curve of a chart: a run's readings, or what they are compared with.
 struct Trace {
   std::string label;

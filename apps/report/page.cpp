@@ -78,10 +78,6 @@ std::string parameters_html(const ReportRun& run, const std::set<std::string>& f
       alone ? "All parameters" : "<b>" + escaped(run.label) + "</b>", escaped(run.run.info.scene_hash), text);
 }
 
-std::string text_of(const Value& value) {
-  return std::visit([](const auto& each) { return fmt::format("{}", each); }, value);
-}
-
 // As in "method.kernel = KF1, KF3", each value once.
 std::vector<std::string> varied(const Report& report) {
   std::vector<const Scene*> scenes;
@@ -89,7 +85,7 @@ std::vector<std::string> varied(const Report& report) {
   std::vector<std::string> all;
   for (const Option* option : compare::differences(scenes))
     all.push_back(fmt::format("{} = {}", dotted(*option), of_all(report, [&](const ReportRun& run) {
-                                return text_of(value_of(*option, run.run.scene));
+                                return compare::text_of(value_of(*option, run.run.scene));
                               })));
   return all;
 }

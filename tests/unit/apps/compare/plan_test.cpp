@@ -147,12 +147,18 @@ TEST(IsDone, WhereTheSameRunHasEnded) {
   EXPECT_FALSE(is_done(runs[0])) << "half of it";
 }
 
-TEST(IsDone, NotWhereTheFolderHoldsAnotherRun) {
-  const Scratch scratch;
-  const auto runs = plan_of(scratch, {"method.kernel=KF1,KF3"});
+// The first run, stored in the folder of the second.
+PlannedRun store_misplaced(const std::vector<PlannedRun>& runs) {
   PlannedRun other = runs[0];
   other.folder = runs[1].folder;
   store(other);
+  return other;
+}
+
+TEST(IsDone, NotWhereTheFolderHoldsAnotherRun) {
+  const Scratch scratch;
+  const auto runs = plan_of(scratch, {"method.kernel=KF1,KF3"});
+  store_misplaced(runs);
   EXPECT_FALSE(is_done(runs[1]));
 }
 
@@ -180,9 +186,7 @@ TEST(CheckKept, LetsTheSameRunGoOnOrAgain) {
 TEST(CheckKept, RefusesARunOfOtherParameters) {
   const Scratch scratch;
   const auto runs = plan_of(scratch, {"method.kernel=KF1,KF3"});
-  PlannedRun other = runs[0];
-  other.folder = runs[1].folder;
-  store(other);
+  PlannedRun other = store_misplaced(runs);
   EXPECT_EQ(complaint_of(runs[1]),
             runs[1].folder.string() + " holds a finished run with method.kernel = KF1, not KF3" + ways_out);
   store(other, Ending::Status::interrupted);
