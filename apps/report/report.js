@@ -76,7 +76,7 @@ function pointAt(time) {
 }
 
 function playOrPause() {
-  if (video.paused) video.play(); else video.pause();
+  if (video.paused) video.play().catch(() => {}); else video.pause();
 }
 
 if (video) {
