@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "apps/exit_codes.hpp"
+#include "apps/common/exit_codes.hpp"
 
 // The command `seiche`: sees to what must hold before the program proper, seiche-core, can be loaded, and becomes it.
 

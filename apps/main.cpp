@@ -1,3 +1,3 @@
-#include "apps/command_line.hpp"
+#include "apps/commands/command_line.hpp"
 
 int main(int argc, char** argv) { return seiche::apps::command_line(argc, argv); }

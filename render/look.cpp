@@ -6,9 +6,9 @@
 #include <initializer_list>
 #include <stdexcept>
 
-#include "render/colour_map.hpp"
-#include "render/curve_choice.hpp"
-#include "render/quantity.hpp"
+#include "render/curves/curve_choice.hpp"
+#include "render/picture/colour_map.hpp"
+#include "render/picture/quantity.hpp"
 
 namespace seiche::render {
 

@@ -8,6 +8,7 @@
 #include "render/image.hpp"
 #include "render/look.hpp"
 #include "solver/frame.hpp"
+#include "solver/sink.hpp"
 
 // What the program uses of render: checks to make before a run, and sinks to hand frames to. VTK stays in the .cpp
 // files.

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/progress.hpp"
+#include "apps/common/progress.hpp"
 
 namespace seiche::apps::compare {
 

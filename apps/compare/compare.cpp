@@ -7,16 +7,16 @@
 #include <cstdio>
 #include <set>
 
+#include "apps/common/exit_codes.hpp"
+#include "apps/common/signals.hpp"
+#include "apps/common/stopwatch.hpp"
 #include "apps/compare/drawing.hpp"
 #include "apps/compare/folder.hpp"
 #include "apps/compare/runs.hpp"
-#include "apps/exit_codes.hpp"
-#include "apps/report.hpp"
 #include "apps/report/command.hpp"
-#include "apps/signals.hpp"
-#include "apps/stopwatch.hpp"
-#include "render/grid_layout.hpp"
+#include "apps/report/report.hpp"
 #include "render/outputs.hpp"
+#include "render/panels/grid_layout.hpp"
 
 namespace fs = std::filesystem;
 

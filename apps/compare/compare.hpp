@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/overrides.hpp"
+#include "apps/scene/overrides.hpp"
 
 namespace seiche::apps::compare {
 

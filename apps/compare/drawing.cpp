@@ -7,11 +7,11 @@
 #include <memory>
 #include <optional>
 
+#include "apps/common/output_folder.hpp"
 #include "apps/compare/runs.hpp"
-#include "apps/output_folder.hpp"
+#include "render/files/read_vtu.hpp"
 #include "render/outputs.hpp"
-#include "render/range.hpp"
-#include "render/read_vtu.hpp"
+#include "render/picture/range.hpp"
 
 namespace seiche::apps::compare {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/stored_run.hpp"
-#include "render/comparison.hpp"
+#include "apps/run/stored_run.hpp"
 #include "render/look.hpp"
+#include "render/panels/comparison.hpp"
 
 namespace seiche::apps::compare {
 

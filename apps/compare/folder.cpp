@@ -10,9 +10,9 @@
 #include <cerrno>
 #include <nlohmann/json.hpp>
 
-#include "apps/run_info.hpp"
-#include "apps/stored_run.hpp"
-#include "render/file.hpp"
+#include "apps/run/run_info.hpp"
+#include "apps/run/stored_run.hpp"
+#include "render/files/file.hpp"
 
 namespace fs = std::filesystem;
 

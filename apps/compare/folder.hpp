@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/output_folder.hpp"
+#include "apps/common/output_folder.hpp"
 
 // The folder that a comparison goes to.
 namespace seiche::apps::compare {

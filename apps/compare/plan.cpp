@@ -8,11 +8,11 @@
 #include <limits>
 #include <stdexcept>
 
-#include "apps/output_folder.hpp"
-#include "apps/run_info.hpp"
-#include "apps/scene_file.hpp"
-#include "apps/scene_text.hpp"
-#include "apps/stored_run.hpp"
+#include "apps/common/output_folder.hpp"
+#include "apps/run/run_info.hpp"
+#include "apps/run/stored_run.hpp"
+#include "apps/scene/scene_file.hpp"
+#include "apps/scene/scene_text.hpp"
 
 namespace seiche::apps::compare {
 namespace {

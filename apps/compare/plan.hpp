@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "apps/compare/vary.hpp"
-#include "apps/overrides.hpp"
-#include "apps/scene.hpp"
+#include "apps/scene/overrides.hpp"
+#include "apps/scene/scene.hpp"
 
 namespace seiche::apps::compare {
 

@@ -9,10 +9,10 @@
 #include <memory>
 #include <optional>
 
-#include "apps/compare/process.hpp"
-#include "apps/exit_codes.hpp"
-#include "apps/stopwatch.hpp"
-#include "apps/stored_run.hpp"
+#include "apps/common/exit_codes.hpp"
+#include "apps/common/process.hpp"
+#include "apps/common/stopwatch.hpp"
+#include "apps/run/stored_run.hpp"
 
 namespace seiche::apps::compare {
 namespace {

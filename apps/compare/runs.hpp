@@ -5,7 +5,7 @@
 
 #include "apps/compare/board.hpp"
 #include "apps/compare/plan.hpp"
-#include "apps/loop.hpp"
+#include "apps/run/loop.hpp"
 
 namespace seiche::apps::compare {
 

@@ -6,9 +6,9 @@
 #include <cctype>
 #include <stdexcept>
 
-#include "apps/lists.hpp"
-#include "render/curve_choice.hpp"
-#include "render/grid_layout.hpp"
+#include "apps/scene/lists.hpp"
+#include "render/curves/curve_choice.hpp"
+#include "render/panels/grid_layout.hpp"
 
 namespace seiche::apps::compare {
 namespace {

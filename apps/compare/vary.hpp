@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/options.hpp"
-#include "apps/overrides.hpp"
-#include "apps/scene.hpp"
+#include "apps/scene/options.hpp"
+#include "apps/scene/overrides.hpp"
+#include "apps/scene/scene.hpp"
 
 namespace seiche::apps::compare {
 

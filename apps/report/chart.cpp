@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "apps/report/html.hpp"
-#include "render/polyline.hpp"
-#include "render/range.hpp"
+#include "render/picture/polyline.hpp"
+#include "render/picture/range.hpp"
 
 namespace seiche::apps::report {
 namespace {

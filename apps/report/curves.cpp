@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include "render/compared_curves.hpp"
-#include "render/curve_choice.hpp"
-#include "render/range.hpp"
+#include "render/curves/curve_choice.hpp"
+#include "render/panels/compared_curves.hpp"
+#include "render/picture/range.hpp"
 
 namespace seiche::apps::report {
 namespace {

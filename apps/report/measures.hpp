@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/report.hpp"
+#include "apps/report/report.hpp"
 
 namespace seiche::apps::report {
 

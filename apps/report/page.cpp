@@ -7,14 +7,14 @@
 #include <sstream>
 
 #include "apps/compare/vary.hpp"
-#include "apps/options.hpp"
 #include "apps/report/assets.hpp"
 #include "apps/report/chart.hpp"
 #include "apps/report/html.hpp"
 #include "apps/report/stage.hpp"
 #include "apps/report/table.hpp"
 #include "apps/report/words.hpp"
-#include "apps/run_info.hpp"
+#include "apps/run/run_info.hpp"
+#include "apps/scene/options.hpp"
 
 namespace seiche::apps::report {
 namespace {

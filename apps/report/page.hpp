@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "apps/report.hpp"
+#include "apps/report/report.hpp"
 
 namespace seiche::apps::report {
 

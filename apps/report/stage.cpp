@@ -8,9 +8,9 @@
 
 #include "apps/report/curves.hpp"
 #include "apps/report/html.hpp"
-#include "render/file.hpp"
-#include "render/read_png.hpp"
-#include "render/small_png.hpp"
+#include "render/files/file.hpp"
+#include "render/files/read_png.hpp"
+#include "render/files/small_png.hpp"
 
 namespace fs = std::filesystem;
 

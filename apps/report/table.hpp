@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "apps/report.hpp"
+#include "apps/report/report.hpp"
 
 namespace seiche::apps::report {
 

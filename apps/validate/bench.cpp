@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include "apps/loop.hpp"
-#include "apps/run_info.hpp"
-#include "apps/scene_file.hpp"
-#include "apps/stopwatch.hpp"
+#include "apps/common/stopwatch.hpp"
+#include "apps/run/loop.hpp"
+#include "apps/run/run_info.hpp"
+#include "apps/scene/scene_file.hpp"
 
 namespace seiche::validate {
 namespace {

@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "apps/scene.hpp"
+#include "apps/scene/scene.hpp"
 #include "apps/validate/series.hpp"
-#include "solver/simulation.hpp"
+#include "solver/frame.hpp"
+#include "solver/make_simulation.hpp"
+#include "solver/run_info.hpp"
 
 namespace seiche::validate {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "apps/csv.hpp"
+#include "apps/common/csv.hpp"
 
 namespace seiche::validate {
 namespace {

@@ -1,4 +1,4 @@
-#include "solver/standing_wave.hpp"
+#include "solver/tank/standing_wave.hpp"
 
 #include <fmt/format.h>
 

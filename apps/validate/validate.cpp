@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "apps/exit_codes.hpp"
-#include "apps/nearest.hpp"
-#include "apps/output_folder.hpp"
-#include "apps/run_info.hpp"
-#include "apps/signals.hpp"
+#include "apps/common/exit_codes.hpp"
+#include "apps/common/nearest.hpp"
+#include "apps/common/output_folder.hpp"
+#include "apps/common/signals.hpp"
+#include "apps/run/run_info.hpp"
 #include "apps/validate/page.hpp"
 #include "apps/validate/table.hpp"
-#include "render/file.hpp"
+#include "render/files/file.hpp"
 
 namespace fs = std::filesystem;
 

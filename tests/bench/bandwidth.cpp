@@ -7,8 +7,8 @@
 #include <limits>
 #include <memory>
 
-#include "solver/chunks.hpp"
-#include "solver/sparse_row.hpp"
+#include "solver/particles/chunks.hpp"
+#include "solver/pressure/sparse_row.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/stirred_tank.hpp"
 

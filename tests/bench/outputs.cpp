@@ -6,9 +6,9 @@
 
 #include <filesystem>
 
-#include "render/painter.hpp"
-#include "render/range.hpp"
-#include "render/vtu.hpp"
+#include "render/files/vtu.hpp"
+#include "render/picture/painter.hpp"
+#include "render/picture/range.hpp"
 #include "tests/unit/render/synthetic_curves.hpp"
 
 namespace seiche::bench {

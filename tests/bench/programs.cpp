@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "apps/stopwatch.hpp"
+#include "apps/common/stopwatch.hpp"
 #include "tests/cli/program.hpp"
 
 namespace seiche::bench {

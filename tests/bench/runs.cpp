@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "render/file.hpp"
+#include "render/files/file.hpp"
 #include "tests/bench/bandwidth.hpp"
 #include "tests/bench/plot.hpp"
 #include "tests/bench/programs.hpp"

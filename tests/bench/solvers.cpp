@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 #include <omp.h>
 
-#include "apps/options.hpp"
-#include "solver/pressure_solver.hpp"
+#include "apps/scene/options.hpp"
+#include "solver/pressure/pressure_solver.hpp"
 #include "tests/bench/stirred_tank.hpp"
 
 namespace seiche::bench {

@@ -4,9 +4,9 @@
 
 #include <map>
 
-#include "solver/divergence.hpp"
-#include "solver/separation.hpp"
-#include "solver/strain_rate.hpp"
+#include "solver/operators/divergence.hpp"
+#include "solver/operators/separation.hpp"
+#include "solver/operators/strain_rate.hpp"
 #include "tests/bench/stirred_tank.hpp"
 
 namespace seiche::bench {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "apps/stopwatch.hpp"
-#include "solver/simulation.hpp"
+#include "apps/common/stopwatch.hpp"
+#include "solver/make_simulation.hpp"
 
 namespace seiche::bench {
 namespace {

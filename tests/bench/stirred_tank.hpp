@@ -1,8 +1,8 @@
 #pragma once
 #include <cmath>
 
-#include "solver/source.hpp"
-#include "solver/volume.hpp"
+#include "solver/operators/volume.hpp"
+#include "solver/pressure/source.hpp"
 #include "tests/unit/solver/still_tank.hpp"
 
 namespace seiche::bench {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "render/range.hpp"
+#include "render/picture/range.hpp"
 #include "tests/image/baseline.hpp"
 #include "tests/unit/render/synthetic_curves.hpp"
 

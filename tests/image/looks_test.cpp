@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "render/painter.hpp"
-#include "render/range.hpp"
+#include "render/picture/painter.hpp"
+#include "render/picture/range.hpp"
 #include "tests/image/baseline.hpp"
 #include "tests/image/ssim.hpp"
 #include "tests/unit/render/synthetic.hpp"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "solver/simulation.hpp"
+#include "solver/make_simulation.hpp"
 
 namespace seiche::physics {
 

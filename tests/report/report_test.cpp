@@ -1,4 +1,4 @@
-#include "apps/report.hpp"
+#include "apps/report/report.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/scene_file.hpp"
+#include "apps/scene/scene_file.hpp"
 
 namespace seiche::apps {
 

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <tuple>
 
-#include "apps/lists.hpp"
-#include "apps/options.hpp"
-#include "apps/scene_file.hpp"
-#include "apps/scene_text.hpp"
-#include "solver/simulation.hpp"
+#include "apps/scene/lists.hpp"
+#include "apps/scene/options.hpp"
+#include "apps/scene/scene_file.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "solver/make_simulation.hpp"
 #include "tests/unit/apps/files.hpp"
 
 // The README and the scenes that come with the program must not fall behind it.

@@ -1,10 +1,10 @@
 #pragma once
 #include <memory>
 
-#include "apps/outputs.hpp"
-#include "apps/run_info.hpp"
-#include "apps/run_json.hpp"
-#include "apps/scene_file.hpp"
+#include "apps/run/outputs.hpp"
+#include "apps/run/run_info.hpp"
+#include "apps/run/run_json.hpp"
+#include "apps/scene/scene_file.hpp"
 #include "tests/unit/apps/files.hpp"
 #include "tests/unit/render/synthetic.hpp"
 

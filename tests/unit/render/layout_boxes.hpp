@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "render/layout.hpp"
+#include "render/picture/layout.hpp"
 
 namespace seiche::test {
 

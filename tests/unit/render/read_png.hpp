@@ -1,5 +1,5 @@
 #pragma once
-#include "render/read_png.hpp"
+#include "render/files/read_png.hpp"
 
 namespace seiche::test {
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solver/frame.hpp"
+#include "solver/run_info.hpp"
 
 namespace seiche::test {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "render/comparison.hpp"
+#include "render/panels/comparison.hpp"
 #include "tests/unit/render/synthetic_curves.hpp"
 
 namespace seiche::test {

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "solver/amg_solver.hpp"
-#include "solver/simulation.hpp"
+#include "solver/make_simulation.hpp"
+#include "solver/pressure/amg/amg_solver.hpp"
 #include "tests/unit/solver/still_tank.hpp"
 #include "tests/unit/solver/stirred_system.hpp"
 

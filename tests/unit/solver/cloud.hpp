@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "solver/pairs.hpp"
+#include "solver/particles/pairs.hpp"
 
 // Clouds of particles for the tests of one operator at a time.
 namespace seiche::solver::test {

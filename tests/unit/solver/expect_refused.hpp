@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/simulation.hpp"
+#include "solver/make_simulation.hpp"
 
 namespace seiche::test {
 

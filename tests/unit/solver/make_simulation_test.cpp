@@ -1,9 +1,10 @@
+#include "solver/make_simulation.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "solver/simulation.hpp"
 #include "tests/unit/solver/surging.hpp"
 
 namespace seiche {

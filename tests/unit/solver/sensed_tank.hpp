@@ -1,6 +1,6 @@
 #pragma once
-#include "solver/fluid_cells.hpp"
-#include "solver/tank.hpp"
+#include "solver/sensors/fluid_cells.hpp"
+#include "solver/tank/tank.hpp"
 #include "tests/unit/solver/still_tank.hpp"
 
 namespace seiche::solver::test {

@@ -1,11 +1,10 @@
-#include "solver/simulation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "solver/make_simulation.hpp"
 #include "tests/unit/solver/surging.hpp"
 
 namespace seiche {

@@ -1,11 +1,11 @@
 #pragma once
-#include "solver/boundary.hpp"
-#include "solver/density.hpp"
-#include "solver/kernels.hpp"
-#include "solver/pressure_system.hpp"
-#include "solver/surface_pressure.hpp"
-#include "solver/tank.hpp"
-#include "solver/wall_wetness.hpp"
+#include "solver/operators/density.hpp"
+#include "solver/operators/kernels.hpp"
+#include "solver/pressure/boundary.hpp"
+#include "solver/pressure/pressure_system.hpp"
+#include "solver/pressure/surface_pressure.hpp"
+#include "solver/tank/tank.hpp"
+#include "solver/tank/wall_wetness.hpp"
 #include "tests/unit/solver/cloud.hpp"
 
 namespace seiche::solver::test {

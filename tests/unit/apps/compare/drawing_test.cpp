@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "apps/common/csv.hpp"
+#include "apps/common/output_folder.hpp"
 #include "apps/compare/runs.hpp"
-#include "apps/csv.hpp"
-#include "apps/output_folder.hpp"
-#include "apps/probes_csv.hpp"
-#include "apps/run_info.hpp"
-#include "render/compared_curves.hpp"
+#include "apps/run/probes_csv.hpp"
+#include "apps/run/run_info.hpp"
 #include "render/outputs.hpp"
+#include "render/panels/compared_curves.hpp"
 #include "tests/unit/apps/files.hpp"
 #include "tests/unit/apps/refusal.hpp"
 #include "tests/unit/render/synthetic_curves.hpp"

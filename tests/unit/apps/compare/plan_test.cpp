@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "apps/output_folder.hpp"
-#include "apps/run_info.hpp"
-#include "apps/run_json.hpp"
-#include "apps/scene_file.hpp"
+#include "apps/common/output_folder.hpp"
+#include "apps/run/run_info.hpp"
+#include "apps/run/run_json.hpp"
+#include "apps/scene/scene_file.hpp"
 #include "tests/unit/apps/files.hpp"
 #include "tests/unit/apps/refusal.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/scene_file.hpp"
+#include "apps/scene/scene_file.hpp"
 
 namespace seiche::apps::compare {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "render/running_mean.hpp"
+#include "render/curves/running_mean.hpp"
 #include "tests/unit/apps/report/synthetic.hpp"
 
 namespace seiche::apps::report {

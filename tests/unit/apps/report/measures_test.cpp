@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "render/deviation.hpp"
+#include "render/panels/deviation.hpp"
 #include "tests/unit/apps/report/synthetic.hpp"
 
 namespace seiche::apps::report {

@@ -7,7 +7,7 @@
 #include "apps/report/command.hpp"
 #include "apps/report/words.hpp"
 #include "render/outputs.hpp"
-#include "render/palette.hpp"
+#include "render/picture/palette.hpp"
 #include "tests/unit/apps/files.hpp"
 #include "tests/unit/apps/report/synthetic.hpp"
 

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <string>
 
-#include "apps/report.hpp"
-#include "apps/run_info.hpp"
+#include "apps/report/report.hpp"
+#include "apps/run/run_info.hpp"
 
 namespace seiche::test {
 

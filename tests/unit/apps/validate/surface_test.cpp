@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/run_info.hpp"
+
 namespace seiche::validate {
 namespace {
 

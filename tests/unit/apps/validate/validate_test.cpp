@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "apps/exit_codes.hpp"
-#include "apps/output_folder.hpp"
+#include "apps/common/exit_codes.hpp"
+#include "apps/common/output_folder.hpp"
 #include "tests/unit/apps/files.hpp"
 
 namespace seiche::validate {

@@ -1,0 +1,31 @@
+#include "apps/commands/flags.hpp"
+
+#include "apps/scene/options.hpp"
+
+namespace seiche::apps {
+
+void add_shorthand(CLI::App& verb, const std::string& flag, const std::string& key, std::vector<Override>& overrides,
+                   const std::string& type) {
+  const auto dot = key.find('.');
+  verb.add_option_function<std::string>(
+          flag,
+          [&overrides, flag, key](const std::string& value) {
+            overrides.push_back({flag + " " + value, key, value});
+          },
+          "short for --set " + key + "=...: " + expected(*find_option(key.substr(0, dot), key.substr(dot + 1))))
+      ->type_name(type)
+      ->take_last();
+}
+
+void add_set(CLI::App& verb, std::vector<Override>& overrides, const std::string& help) {
+  verb.add_option_function<std::vector<std::string>>(
+          "--set",
+          [&overrides](const std::vector<std::string>& all) {
+            for (const std::string& each : all) overrides.push_back(parse_set(each));
+          },
+          help + "; can be given several times")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+}  // namespace seiche::apps

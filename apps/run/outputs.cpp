@@ -1,0 +1,78 @@
+#include "apps/run/outputs.hpp"
+
+#include <future>
+
+#include "apps/common/stopwatch.hpp"
+#include "apps/run/probes_csv.hpp"
+#include "render/outputs.hpp"
+
+namespace seiche::apps {
+
+void Outputs::add(std::string name, std::unique_ptr<Sink> sink) {
+  entries_.push_back({std::move(name), std::move(sink)});
+}
+
+void Outputs::begin(const RunInfo& run) {
+  for (Entry& entry : entries_) {
+    entry.sink->begin(run);
+    entry.began = true;
+  }
+}
+
+void Outputs::frame(const FramePtr& frame) {
+  for (Entry& entry : entries_) {
+    const Stopwatch watch;
+    entry.sink->frame(frame);
+    entry.seconds += watch.seconds();
+  }
+}
+
+std::string Outputs::end() {
+  std::string errors;
+  for (Entry& entry : entries_) {
+    const Stopwatch watch;
+    const std::unique_ptr<Sink> sink = std::move(entry.sink);  // and let go of here, on the thread that it worked on
+    try {
+      if (entry.began) sink->end();
+    } catch (const std::exception& error) {
+      add_trouble(errors, error.what());
+    }
+    entry.seconds += watch.seconds();
+  }
+  return errors;
+}
+
+std::map<std::string, double> Outputs::seconds() const {
+  std::map<std::string, double> result;
+  for (const Entry& entry : entries_) result[entry.name] = entry.seconds;
+  return result;
+}
+
+void add_trouble(std::string& troubles, const std::string& another) {
+  if (!another.empty() && another != troubles) troubles += (troubles.empty() ? "" : "; ") + another;
+}
+
+Outputs make_outputs(const Scene& scene, const OutputFolder& folder) {
+  Outputs outputs;
+  if (scene.output.probes) outputs.add("probes", probes_csv(folder.probes()));
+  if (scene.output.vtu) outputs.add("vtu", render::vtu_series(folder.path));
+  if (scene.draws()) {
+    std::vector<std::unique_ptr<render::ImageSink>> takers;
+    if (scene.output.pictures) takers.push_back(render::png_series(folder.frames()));
+    if (scene.output.movie != "none") takers.push_back(render::movie(folder.movie(scene.output.movie)));
+    outputs.add("pictures", render::pictures(scene.look, std::move(takers)));
+  }
+  return outputs;
+}
+
+void check_outputs(const Scene& scene, const OutputFolder& folder) {
+  // Each takes a tenth of a second and more: side by side.
+  std::future<void> encoder;
+  if (scene.output.movie != "none")
+    encoder = std::async(std::launch::async, render::check_movie, folder.movie(scene.output.movie), scene.look.width,
+                         scene.look.height);
+  if (scene.draws()) render::gl_description();
+  if (encoder.valid()) encoder.get();
+}
+
+}  // namespace seiche::apps

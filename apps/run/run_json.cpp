@@ -1,0 +1,205 @@
+#include "apps/run/run_json.hpp"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "apps/run/run_info.hpp"
+#include "apps/scene/lists.hpp"
+#include "apps/scene/options.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "render/files/file.hpp"
+
+namespace seiche::apps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json tables(const List& list, const Scene& scene) {
+  Json result = Json::array();
+  for (std::size_t row = 0; row < list.size(scene); ++row) {
+    Json& table = result.emplace_back();
+    for (const Member& member : list.members) {
+      std::visit([&](const auto& value) { table[std::string(member.key)] = value; }, value_of(member, scene, row));
+    }
+  }
+  return result;
+}
+
+Json parameters(const Scene& scene) {
+  Json result;
+  for (const Option& option : options()) {
+    Json& at = option.section.empty() ? result : result[std::string(option.section)];
+    std::visit([&](const auto& value) { at[std::string(option.key)] = value; }, value_of(option, scene));
+  }
+  for (const List& list : lists()) result[std::string(list.section)][std::string(list.key)] = tables(list, scene);
+  return result;
+}
+
+// A gap is null.
+Json samples(const Scene& scene) {
+  const Parameters::TimeSeries& motion = scene.parameters.motion.series;
+  Json result{
+      {"motion",
+       {{"time_s", motion.time}, {"surge_m", motion.surge}, {"heave_m", motion.heave}, {"roll_deg", motion.roll}}},
+      {"references", Json::array()}};
+  for (const render::Reference& reference : scene.look.references)
+    result["references"].push_back({{"time_s", reference.series.time}, {"value", reference.series.value}});
+  return result;
+}
+
+Json ending(const std::optional<Ending>& ending) {
+  if (!ending) return Json::object({{"status", "running"}});
+  Json result = Json::object({{"status", name(ending->status)}, {"time_s", ending->time}, {"frames", ending->frames}});
+  if (!ending->reason.empty()) result["reason"] = ending->reason;
+  return result;
+}
+
+Json steps(const Statistics& s) {
+  return {{"count", s.steps},
+          {"shortest_s", s.shortest_step},
+          {"longest_s", s.longest_step},
+          {"list_builds", s.list_builds}};
+}
+
+Json pressure(const Statistics& s) {
+  return {{"iterations", s.iterations},
+          {"iterations_per_step", s.steps > 0 ? static_cast<double>(s.iterations) / s.steps : 0},
+          {"worst_residual", s.worst_residual}};
+}
+
+Json particles(const Statistics& s) {
+  return {{"fluid", s.fluid_particles}, {"wall", s.wall_particles}, {"dummy", s.dummy_particles},
+          {"leaked", s.leaked},         {"spilled", s.spilled},     {"least_distance_m", s.least_distance}};
+}
+
+// By stage of a step and by output; the rest of the names tell what they are.
+Json seconds(const Times& times) {
+  Json result = Json::object();
+  for (const auto& [stage, value] : times.stages) result[stage] = value;
+  for (const auto& [output, value] : times.outputs) result[output] = value;
+  result["waited_for_outputs"] = times.waited;
+  result["total"] = times.total;
+  return result;
+}
+
+Json speed(const RunRecord& record) {
+  return {{"particle_steps_per_second", particle_steps_per_second(record.statistics, record.times)},
+          {"waited_for_outputs_share", waited_share(record.times)}};
+}
+
+Value value_from(const nlohmann::json& json) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number_integer()) return json.get<std::int64_t>();
+  if (json.is_number()) return json.get<double>();
+  return json.get<std::string>();
+}
+
+void refuse_if(const std::optional<std::string>& complaint) {
+  if (complaint) throw std::invalid_argument(*complaint);
+}
+
+void read_parameters(const nlohmann::json& json, Scene& scene) {
+  for (const Option& option : options()) {
+    const auto& at = option.section.empty() ? json : json.at(std::string(option.section));
+    // An older program may not have known the key: its default is how things were.
+    if (const auto found = at.find(std::string(option.key)); found != at.end())
+      refuse_if(assign(option, scene, value_from(*found)));
+  }
+  for (const List& list : lists()) {
+    const auto& tables = json.at(std::string(list.section)).at(std::string(list.key));
+    list.reset(scene, tables.size());
+    for (std::size_t row = 0; row < tables.size(); ++row)
+      for (const Member& member : list.members)
+        refuse_if(put(value_from(tables[row].at(std::string(member.key))),
+                      {target(member, scene, row), member.rule, title(list, member), expected(member)}));
+  }
+}
+
+std::vector<double> numbers(const nlohmann::json& json) {
+  std::vector<double> values;
+  for (const auto& each : json)
+    values.push_back(each.is_null() ? std::numeric_limits<double>::quiet_NaN() : each.get<double>());
+  return values;
+}
+
+std::optional<Ending> read_ending(const nlohmann::json& json) {
+  const std::string status = json.at("status");
+  if (status == "running") return {};
+  Ending ending;
+  for (const auto each : {Ending::Status::finished, Ending::Status::failed, Ending::Status::interrupted})
+    if (status == name(each)) ending.status = each;
+  ending.time = json.at("time_s");
+  ending.frames = json.at("frames");
+  ending.reason = json.value("reason", "");
+  return ending;
+}
+
+void read_statistics(const nlohmann::json& json, Statistics& s) {
+  const auto &steps = json.at("steps"), &pressure = json.at("pressure"), &particles = json.at("particles");
+  s.steps = steps.at("count");
+  s.shortest_step = steps.at("shortest_s");
+  s.longest_step = steps.at("longest_s");
+  s.list_builds = steps.at("list_builds");
+  s.iterations = pressure.at("iterations");
+  s.worst_residual = pressure.at("worst_residual");
+  s.fluid_particles = particles.at("fluid");
+  s.wall_particles = particles.at("wall");
+  s.dummy_particles = particles.at("dummy");
+  s.leaked = particles.at("leaked");
+  s.spilled = particles.at("spilled");
+  // Null before it was measured; an older program didn't write it.
+  if (const auto least = particles.find("least_distance_m"); least != particles.end() && least->is_number())
+    s.least_distance = *least;
+}
+
+}  // namespace
+
+void write_run_json(const std::filesystem::path& file, const Scene& scene, const RunRecord& record) {
+  Json json{{"seiche", version()},
+            {"scene", {{"name", scene.name}, {"file", scene.file}, {"hash", scene_hash(scene)}}},
+            {"run", ending(record.ending)},
+            {"particles", particles(record.statistics)},
+            {"steps", steps(record.statistics)},
+            {"pressure", pressure(record.statistics)},
+            {"threads", scene.parameters.threads},
+            {"parameters", parameters(scene)}};
+  if (record.ending) {
+    json["seconds"] = seconds(record.times);
+    json["speed"] = speed(record);
+  }
+  render::write_file(file, json.dump(2) + "\n");
+}
+
+void write_samples(const std::filesystem::path& file, const Scene& scene) {
+  if (scene.parameters.motion.series.time.empty() && scene.look.references.empty()) return;
+  render::write_file(file, samples(scene).dump() + "\n");
+}
+
+void read_run_json(const nlohmann::json& json, Scene& scene, RunRecord& record) {
+  scene = {};
+  scene.name = json.at("scene").at("name");
+  scene.file = json.at("scene").at("file");
+  scene.parameters.threads = json.at("threads");
+  read_parameters(json.at("parameters"), scene);
+  record = {};
+  record.ending = read_ending(json.at("run"));
+  read_statistics(json, record.statistics);
+  if (!record.ending) return;
+  const auto& seconds = json.at("seconds");
+  record.times.total = seconds.at("total");
+  record.times.waited = record.ending->waited = seconds.at("waited_for_outputs");
+}
+
+void read_samples(const nlohmann::json& json, Scene& scene) {
+  const auto& motion = json.at("motion");
+  scene.parameters.motion.series = {numbers(motion.at("time_s")), numbers(motion.at("surge_m")),
+                                    numbers(motion.at("heave_m")), numbers(motion.at("roll_deg"))};
+  std::size_t row = 0;
+  for (render::Reference& reference : scene.look.references) {
+    const auto& series = json.at("references").at(row++);
+    reference.series = {numbers(series.at("time_s")), numbers(series.at("value"))};
+  }
+}
+
+}  // namespace seiche::apps

@@ -1,0 +1,67 @@
+#include "apps/scene/lists.hpp"
+
+namespace seiche::apps {
+namespace {
+
+constexpr double huge = 1000;  // Above any tank [m].
+
+}  // namespace
+
+// clang-format off: one key a line reads as the table that it is
+#define ROWS(rows) +[](const Scene& s) { return s.rows.size(); }, +[](Scene& s, std::size_t n) { s.rows.assign(n, {}); }
+#define AT(rows, member) +[](Scene& s, std::size_t k) -> decltype((s.rows[k].member)) { return s.rows[k].member; }
+const std::vector<List>& lists() {
+  static const std::vector<List> table{
+      {"motion",
+       "harmonic",
+       "a term amplitude sin(2 pi frequency t + phase) of motion.type = \"harmonics\"",
+       ROWS(parameters.motion.harmonics),
+       {
+           {"of", "", AT(parameters.motion.harmonics, of), Choices{"surge", "heave", "roll"},
+            "along x, along y, or about the pivot from x towards y"},
+           {"amplitude", "m; roll: degrees", AT(parameters.motion.harmonics, amplitude), Range{-100, 100}, ""},
+           {"frequency", "Hz", AT(parameters.motion.harmonics, frequency), Range{0, 100}, ""},
+           {"phase", "degrees", AT(parameters.motion.harmonics, phase), Range{-360, 360}, "at t = 0"},
+       }},
+      {"sensors",
+       "pressure",
+       "a pressure sensor on a wall; none: one at the left bottom corner",
+       ROWS(parameters.sensors.pressure),
+       {
+           {"name", "", AT(parameters.sensors.pressure, name), Name{},
+            "as in left_bottom: column \"p_left_bottom [Pa]\"", true},
+           {"x", "m", AT(parameters.sensors.pressure, x), Range{0, huge}, "from the left wall"},
+           {"y", "m", AT(parameters.sensors.pressure, y), Range{0, huge}, "from the floor"},
+           {"z", "m", AT(parameters.sensors.pressure, z), Range{0, huge}, "from the near wall"},
+           {"side", "m", AT(parameters.sensors.pressure, side), Range{0, huge},
+            "of the square that it averages over, centred on the point; 0: the point"},
+       }},
+      {"sensors",
+       "gauge",
+       "a wave gauge, a vertical line; none: one at the left wall and one at the right",
+       ROWS(parameters.sensors.gauge),
+       {
+           {"name", "", AT(parameters.sensors.gauge, name), Name{}, "as in left: column \"eta_left [m]\"", true},
+           {"x", "m", AT(parameters.sensors.gauge, x), Range{0, huge}, "from the left wall"},
+           {"z", "m", AT(parameters.sensors.gauge, z), Range{0, huge}, "from the near wall"},
+       }},
+      {"look",
+       "reference",
+       "a series drawn over a sensor's curve, for comparison",
+       ROWS(look.references),
+       {
+           {"of", "", AT(look.references, of), Text{}, "the sensor without its unit, as in eta_left", true},
+           {"label", "", AT(look.references, label), Text{}, "what the picture calls it; empty: the file's name"},
+           {"file", "", AT(look.references, file), Text{},
+            "CSV with a column t or t [s], its path from the scene's folder", true},
+           {"column", "", AT(look.references, column), Text{}, "of the file; empty: named as the sensor"},
+           {"from", "s", AT(look.references, from), Range{0, 1e5}, "what comes before it isn't shown"},
+       }},
+  };
+  return table;
+}
+#undef AT
+#undef ROWS
+// clang-format on
+
+}  // namespace seiche::apps

@@ -1,0 +1,44 @@
+#include "apps/scene/lists.hpp"
+
+#include <fmt/format.h>
+
+namespace seiche::apps {
+
+const List* find_list(std::string_view section, std::string_view key) {
+  for (const List& list : lists()) {
+    if (list.section == section && list.key == key) return &list;
+  }
+  return nullptr;
+}
+
+const Member* find_member(const List& list, std::string_view key) {
+  for (const Member& member : list.members) {
+    if (member.key == key) return &member;
+  }
+  return nullptr;
+}
+
+std::string title(const List& list) { return fmt::format("[[{}]]", dotted(list)); }
+
+std::string dotted(const List& list) { return fmt::format("{}.{}", list.section, list.key); }
+
+std::string title(const List& list, const Member& member) { return fmt::format("{} {}", title(list), member.key); }
+
+std::string form(const List& list) {
+  std::string keys;
+  for (const Member& member : list.members) keys += fmt::format("{}{} = ...", keys.empty() ? "" : ", ", member.key);
+  return "[{" + keys + "}]";
+}
+
+std::string expected(const Member& member) { return expected(member.rule, member.unit, false); }
+
+Target target(const Member& member, Scene& scene, std::size_t row) {
+  return std::visit([&](auto at) { return Target(&at(scene, row)); }, member.access);
+}
+
+Value value_of(const Member& member, const Scene& scene, std::size_t row) {
+  Scene copy = scene;  // The table reaches members for writing only; one copy a key is cheap.
+  return value_in(target(member, copy, row));
+}
+
+}  // namespace seiche::apps

@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <stdexcept>
+#include <tuple>
+
+#include "apps/scene/options.hpp"
+#include "render/curves/curve_choice.hpp"
+#include "render/picture/quantity.hpp"
+#include "solver/operators/kernels.hpp"
+
+namespace seiche::apps {
+namespace {
+
+constexpr double huge = 1000;  // Above any tank [m]; catches millimetres given as metres.
+
+Choices kernels() {
+  Choices names;
+  for (const auto& kernel : solver::kernel_table(1.0)) names.push_back(solver::name(kernel));
+  return names;
+}
+
+Choices quantities() { return {render::quantity_names().begin(), render::quantity_names().end()}; }
+
+std::string get_size(const Scene& s) { return fmt::format("{}x{}", s.look.width, s.look.height); }
+
+void set_size(Scene& s, const std::string& text) {
+  int width = 0, height = 0;
+  const char* end = text.data() + text.size();
+  const auto [x, first] = std::from_chars(text.data(), end, width);
+  if (first != std::errc{} || x == end || *x != 'x') throw std::invalid_argument(text);
+  const auto [last, second] = std::from_chars(x + 1, end, height);
+  const auto fits = [](int pixels) { return pixels >= 64 && pixels <= 16384; };
+  if (second != std::errc{} || last != end || !fits(width) || !fits(height)) throw std::invalid_argument(text);
+  std::tie(s.look.width, s.look.height) = std::tuple(width, height);
+}
+
+std::string get_range(const Scene& s) { return s.look.range; }
+
+void set_range(Scene& s, const std::string& text) {
+  render::parse_range(text);
+  s.look.range = text;
+}
+
+std::string get_curves(const Scene& s) { return s.look.curves; }
+
+void set_curves(Scene& s, const std::string& text) {
+  render::named_curves(text);
+  s.look.curves = text;
+}
+
+const Written size{get_size, set_size, "width x height from 64x64 to 16384x16384, as in 1280x720"};
+const Written range{get_range, set_range, "scene, frame, run, or min,max as in -100,3000, in the quantity's unit"};
+const Written curves{get_curves, set_curves, "auto, none, or up to 3 sensors, as in eta_left, p_left_bottom"};
+
+}  // namespace
+
+// clang-format off: one key a line reads as the table that it is
+#define AT(member) +[](Scene& s) -> decltype((s.member)) { return s.member; }
+const std::vector<Option>& options() {
+  static const std::vector<Option> table{
+      {"", "preset", "", AT(parameters.preset), Choices{"stabilised", "paper"},
+       "scheme that [method], pressure.solver and courant start from: the paper's, or one that keeps the pressure "
+       "smooth"},
+      {"", "gravity", "m/s^2", AT(parameters.gravity), Range{0, 100, true}, "downwards"},
+
+      {"fluid", "density", "kg/m^3", AT(parameters.fluid.density), Range{0, 1e5, true}, "rho"},
+      {"fluid", "viscosity", "m^2/s", AT(parameters.fluid.viscosity), Range{0, 1}, "nu, kinematic"},
+      {"fluid", "depth", "m", AT(parameters.fluid.depth), Range{0, huge, true}, "still level above the floor"},
+      {"fluid", "column", "m", AT(parameters.fluid.column), Range{0, huge},
+       "length of the liquid from the left wall, for a dam break; 0: the whole tank"},
+      {"fluid", "wave_amplitude", "m", AT(parameters.fluid.wave_amplitude), Range{0, huge},
+       "of a standing wave that the liquid starts in, its surface flat; 0: none"},
+      {"fluid", "wave_mode", "", AT(parameters.fluid.wave_mode), Range{1, 1000}, "half waves of it along the tank"},
+
+      {"tank", "length", "m", AT(parameters.tank.length), Range{0, huge, true}, "inner, along x"},
+      {"tank", "height", "m", AT(parameters.tank.height), Range{0, huge, true}, "inner, along y"},
+      {"tank", "width", "m", AT(parameters.tank.width), Range{0, huge}, "inner, along z; 0: the run is 2-D"},
+      {"tank", "closed", "", AT(parameters.tank.closed), {}, "with a roof"},
+
+      {"motion", "type", "", AT(parameters.motion.type), Choices{"none", "surge", "heave", "roll", "harmonics", "file"},
+       "surge, heave, roll: amplitude sin(2 pi frequency t + phase); harmonics: [[motion.harmonic]]; file: a CSV"},
+      {"motion", "amplitude", "m; roll: degrees", AT(parameters.motion.amplitude), Range{0, 100},
+       "of the tank's displacement"},
+      {"motion", "frequency", "Hz", AT(parameters.motion.frequency), Range{0, 100}, "of the tank's displacement"},
+      {"motion", "phase", "degrees", AT(parameters.motion.phase), Range{-360, 360},
+       "of the tank's displacement at t = 0"},
+      {"motion", "ramp", "s", AT(parameters.motion.ramp), Range{0, 1e5},
+       "the motion grows from nothing over this time"},
+      {"motion", "file", "", AT(parameters.motion.file), Text{},
+       "CSV of t [s] and surge [m], heave [m] or roll [deg], its path from the scene's folder"},
+      {"motion", "pivot_x", "m", AT(parameters.motion.pivot_x), Range{-huge, huge},
+       "of the point that roll turns about, from the left wall"},
+      {"motion", "pivot_y", "m", AT(parameters.motion.pivot_y), Range{-huge, huge}, "the same, from the floor"},
+      {"motion", "start", "", AT(parameters.motion.start), Choices{"impulsive", "smooth"},
+       "at t = 0 the liquid is at rest in the lab, or moves with the tank"},
+
+      {"sensors", "force", "", AT(parameters.sensors.force), {}, "force on the walls, and moment about the pivot"},
+      {"sensors", "energy", "", AT(parameters.sensors.energy), {}, "kinetic and potential energy of the liquid"},
+      {"sensors", "volume", "", AT(parameters.sensors.volume), {}, "volume and centre of mass of the liquid"},
+
+      {"particles", "spacing", "m", AT(parameters.particles.spacing), Range{0, 10, true},
+       "l0, between particles at rest"},
+
+      {"method", "kernel", "", AT(parameters.method.kernel), kernels(), "weight function of Table 1"},
+      {"method", "kf2_alpha", "", AT(parameters.method.kf2_alpha), Range{0, 100, true}, "alpha of KF2"},
+      {"method", "radius_density", "l0", AT(parameters.method.radius_density), Range{1, 10, true},
+       "r_e of the number density and the divergence"},
+      {"method", "radius_gradient", "l0", AT(parameters.method.radius_gradient), Range{1, 10, true},
+       "r_e of the gradient"},
+      {"method", "radius_laplacian", "l0", AT(parameters.method.radius_laplacian), Range{1, 10, true},
+       "r_e of the Laplacian"},
+      {"method", "surface_beta", "", AT(parameters.method.surface_beta), Range{0, 1, true},
+       "beta of equation (11): free surface where n < beta n0"},
+      {"method", "order", "", AT(parameters.method.order), Choices{"project-first", "move-first"},
+       "whether particles move after or before the pressure solve"},
+      {"method", "source", "", AT(parameters.method.source), Choices{"mixed", "density"},
+       "right-hand side of the pressure equation; density: equation (10)"},
+      {"method", "gradient", "", AT(parameters.method.gradient), Choices{"corrected", "minimum", "plain"},
+       "pressure gradient; plain: equation (4)"},
+      {"method", "surface", "", AT(parameters.method.surface), Choices{"density-and-count", "density"},
+       "test for the free surface; density: equation (11)"},
+      {"method", "separation", "", AT(parameters.method.separation), Choices{"collide", "part", "none"},
+       "of pairs that come too near; part: the additional modification"},
+      {"method", "separation_distance", "l0", AT(parameters.method.separation_distance), Range{0, 1},
+       "pairs nearer than this are separated"},
+      {"method", "shift", "sqrt(g H)/l0", AT(parameters.method.shift), Range{0, 2},
+       "rate of particle shifting; 0: none"},
+      {"method", "viscous", "", AT(parameters.method.viscous), Choices{"strain-rate", "laplacian"},
+       "form of the viscous term; laplacian: equation (5)"},
+      {"method", "wall", "", AT(parameters.method.wall), Choices{"free-slip", "no-slip"},
+       "what walls do to the viscous term"},
+
+      {"pressure", "solver", "", AT(parameters.pressure.solver), Choices{"amg", "iccg", "sor", "cholmod"},
+       "of the pressure equation; amg with preset stabilised, iccg with paper"},
+      {"pressure", "tolerance", "", AT(parameters.pressure.tolerance), Range{0, 0.1, true},
+       "relative residual at which an iterative solver stops"},
+      {"pressure", "max_iterations", "", AT(parameters.pressure.max_iterations), Range{1, 1e6},
+       "more in one step end the run"},
+
+      {"time", "end", "s", AT(parameters.time.end), Range{0, 1e5, true}, "simulated time"},
+      {"time", "courant", "", AT(parameters.time.courant), Range{0, 1, true},
+       "alpha of equation (18): a step is alpha l0 / v_max at most"},
+      {"time", "step", "s", AT(parameters.time.step), Range{0, 1},
+       "of every step, which must fall on every frame and on the end; 0: by equation (18)"},
+
+      {"output", "pictures", "", AT(output.pictures), {}, "frames/000123.png"},
+      {"output", "movie", "", AT(output.movie), Choices{"mp4", "webm", "gif", "none"}, "kind of movie"},
+      {"output", "vtu", "", AT(output.vtu), {}, "particles for ParaView: vtu/ and the .pvd that lists them"},
+      {"output", "probes", "", AT(output.probes), {}, "sensor readings: probes.csv"},
+      {"output", "report", "", AT(output.report), {}, "a page of movie, curves and measures: report.html"},
+      {"output", "probe_rate", "Hz", AT(output.probe_rate), Range{0, 1e6, true},
+       "sensor readings per simulated second"},
+      {"output", "frame_rate", "Hz", AT(output.frame_rate), Range{0, 1e4, true}, "frames per simulated second"},
+      {"output", "size", "pixels", size, {}, "of pictures and movie"},
+
+      {"look", "quantity", "", AT(look.quantity), quantities(), "that particles are coloured by"},
+      {"look", "colour_map", "", AT(look.colour_map), Choices{"viridis", "cividis", "cool-warm", "turbo"},
+       "of a quantity that is a number"},
+      {"look", "background", "", AT(look.background), Choices{"white", "black", "transparent"}, "of the picture"},
+      {"look", "style", "", AT(look.style), Choices{"disc", "dot", "smooth"},
+       "particles as edged discs that fill the spacing, small plain ones, or a smooth mean of them; smooth: 2-D only"},
+      {"look", "view", "", AT(look.view), Choices{"tank", "lab"}, "what stands still in the picture"},
+      {"look",
+       "range",
+       "",
+       range,
+       {},
+       "of the colours: one from the scene, each frame's own, or the whole run's (drawn after it)"},
+      {"look", "curves", "", curves, {}, "readings drawn under the picture"},
+      {"look", "arrows", "", AT(look.show_arrows), {}, "show velocities relative to the tank as arrows; 2-D only"},
+      {"look", "walls", "", AT(look.show_walls), {}, "show wall particles"},
+      {"look", "surface", "", AT(look.show_surface), {}, "mark free-surface particles; style smooth: draw the surface"},
+      {"look", "surface_line", "", AT(look.show_surface_line), {}, "draw the surface instead of marks; 2-D only"},
+      {"look", "tank", "", AT(look.show_tank), {}, "show the tank's outline"},
+      {"look", "bar", "", AT(look.show_bar), {}, "show the scalar bar"},
+      {"look", "clock", "", AT(look.show_clock), {}, "show the simulated time"},
+      {"look", "caption", "", AT(look.show_caption), {}, "show scene, kernel and spacing"},
+      {"look", "ruler", "", AT(look.show_ruler), {}, "show a ruler in metres"},
+  };
+  return table;
+}
+#undef AT
+// clang-format on
+
+}  // namespace seiche::apps

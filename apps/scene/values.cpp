@@ -1,0 +1,116 @@
+#include "apps/scene/values.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/common/nearest.hpp"
+
+namespace seiche::apps {
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
+std::string shown(const Value& value) {
+  return std::visit(Overloaded{[](const std::string& text) { return fmt::format("'{}'", text); },
+                               [](const auto& other) { return fmt::format("{}", other); }},
+                    value);
+}
+
+bool holds(const Range& range, double number) {
+  return (range.above_low ? number > range.low : number >= range.low) && number <= range.high;
+}
+
+bool is_name(const std::string& word) {
+  return !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+}
+
+std::string refusal(const Slot& slot, const Value& value, const std::string& why) {
+  return apps::refusal(slot.title, slot.expected, value, why);
+}
+
+// What is wrong with a word; nothing if it will do.
+std::optional<std::string> wrong_word(const Slot& slot, const std::string& word) {
+  if (std::holds_alternative<Text>(slot.rule)) return {};
+  if (std::holds_alternative<Name>(slot.rule)) {
+    if (is_name(word)) return {};
+    return refusal(slot, word, "is no name");
+  }
+  const Choices& choices = std::get<Choices>(slot.rule);
+  if (std::find(choices.begin(), choices.end(), word) != choices.end()) return {};
+  const auto guess = nearest(word, {choices.begin(), choices.end()});
+  return refusal(slot, word, "is none of its choices") + (guess ? fmt::format("; did you mean '{}'?", *guess) : "");
+}
+
+std::optional<std::string> put_text(const Slot& slot, std::string& target, const Value& value) {
+  const std::string* word = std::get_if<std::string>(&value);
+  if (!word) return refusal(slot, value, "is no text");
+  auto complaint = wrong_word(slot, *word);
+  if (!complaint) target = *word;
+  return complaint;
+}
+
+template <class Number>
+std::optional<std::string> put_number(const Slot& slot, Number& target, const Value& value) {
+  double number = 0;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+    number = static_cast<double>(*whole);
+  } else if (const auto* real = std::get_if<double>(&value); real && std::is_same_v<Number, double>) {
+    number = *real;
+  } else {
+    return refusal(slot, value, std::is_same_v<Number, double> ? "is no number" : "is no whole number");
+  }
+  if (!std::isfinite(number)) return refusal(slot, value, "is not finite");
+  if (!holds(std::get<Range>(slot.rule), number)) return refusal(slot, value, "is out of range");
+  target = static_cast<Number>(number);
+  return {};
+}
+
+std::optional<std::string> put_bool(const Slot& slot, bool& target, const Value& value) {
+  const bool* truth = std::get_if<bool>(&value);
+  if (!truth) return refusal(slot, value, "is neither");
+  target = *truth;
+  return {};
+}
+
+}  // namespace
+
+std::string expected(const Rule& rule, std::string_view unit, bool whole) {
+  return std::visit(
+      Overloaded{[](const Choices& choices) { return fmt::format("one of {}", fmt::join(choices, ", ")); },
+                 [](Name) { return std::string("a name of a-z, 0-9 and _"); }, [](Text) { return std::string("text"); },
+                 [](std::monostate) { return std::string("true or false"); },
+                 [&](const Range& range) {
+                   const std::string ends = range.above_low ? fmt::format("above {}, up to {}", range.low, range.high)
+                                                            : fmt::format("from {} to {}", range.low, range.high);
+                   const std::string end = unit.empty() ? "" : fmt::format(" [{}]", unit);
+                   return fmt::format("a {}number {}{}", whole ? "whole " : "", ends, end);
+                 }},
+      rule);
+}
+
+std::string refusal(const std::string& title, const std::string& expected, const Value& value, const std::string& why) {
+  return fmt::format("{} = {} {}; expected {}", title, shown(value), why, expected);
+}
+
+std::optional<std::string> put(const Value& value, const Slot& slot) {
+  return std::visit(Overloaded{[&](bool* truth) { return put_bool(slot, *truth, value); },
+                               [&](std::string* text) { return put_text(slot, *text, value); },
+                               [&](auto* number) { return put_number(slot, *number, value); }},
+                    slot.target);
+}
+
+Value value_in(const Target& target) {
+  return std::visit(
+      Overloaded{[](int* whole) { return Value(std::int64_t{*whole}); }, [](auto* other) { return Value(*other); }},
+      target);
+}
+
+}  // namespace seiche::apps

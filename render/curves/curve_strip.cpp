@@ -1,0 +1,51 @@
+#include "render/curves/curve_strip.hpp"
+
+#include <algorithm>
+
+#include "render/curves/curve_key.hpp"
+#include "render/curves/curve_panel.hpp"
+#include "render/picture/curve_layout.hpp"
+#include "render/picture/overlay.hpp"
+#include "render/picture/range.hpp"
+
+namespace seiche::render {
+namespace {
+
+// Of the widest label on an axis that is cut into whatever number of parts, in font heights.
+double label_width(Range range) {
+  double width = 0;
+  for (int most = fewest_ticks; most <= most_ticks; ++most) {
+    const Ticks ticks = round_ticks(range, most);
+    for (const double value : ticks.values) width = std::max(width, text_width(tick_label(value, ticks.step)));
+  }
+  return curve_font * width;
+}
+
+}  // namespace
+
+CurveStrip::CurveStrip(const std::vector<SensorCurve>& curves) : curves_(curves) {}
+CurveStrip::~CurveStrip() = default;
+
+void CurveStrip::claim(Needs& needs) const {
+  for (const SensorCurve& curve : curves_) {
+    CurveNeeds room;
+    room.title = curve_font * title_width(curve);
+    room.key = curve_font * key_width(curve);
+    room.last_label = label_width({0, curve.end});
+    // The name of the times stands in the corner between both axes' labels.
+    const double corner = curve_font * (text_width(CurvePanel::time_title) + name_gap) + room.last_label / 2;
+    room.labels = std::max({label_width(axis_range(curve)), label_width(widest_range(curve)), corner});
+    needs.curves.push_back(room);
+  }
+}
+
+void CurveStrip::place(vtkRenderer* renderer, const Layout& layout, const Palette& colours) {
+  for (std::size_t i = 0; i < layout.curves.size(); ++i)
+    panels_.push_back(std::make_unique<CurvePanel>(renderer, layout.curves[i], layout.font, curves_[i], colours));
+}
+
+void CurveStrip::show(double time) {
+  for (const auto& panel : panels_) panel->show(time);
+}
+
+}  // namespace seiche::render

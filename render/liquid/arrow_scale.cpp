@@ -1,0 +1,22 @@
+#include "render/liquid/arrow_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/picture/range.hpp"
+
+namespace seiche::render {
+
+ArrowScale arrow_scale(const RunInfo& run, const Look& look) {
+  double greatest = scene_range(run, Quantity::speed).high;
+  if (quantity_of(look.quantity) == Quantity::speed)
+    if (const auto given = parse_range(look.range)) greatest = std::max(std::abs(given->low), std::abs(given->high));
+  return {3 * arrow_distance / greatest, greatest, round_below(0.5 * greatest)};
+}
+
+double arrow_font(double view_width, double font) {
+  constexpr double fewest = 8, smallest = 0.6;
+  return std::clamp(view_width / (fewest * arrow_distance), smallest * font, font);
+}
+
+}  // namespace seiche::render

@@ -1,0 +1,96 @@
+#include "render/liquid/smooth_liquid.hpp"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
+#include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "render/picture/pose.hpp"
+
+namespace seiche::render {
+
+struct SmoothLiquid::Parts {
+  vtkNew<vtkImageData> grid;
+  vtkNew<vtkUnsignedCharArray> texels;  // colour, and the volume fraction as alpha
+  vtkNew<vtkTexture> texture;
+  vtkNew<vtkActor> actor;
+};
+
+SmoothLiquid::SmoothLiquid(vtkRenderer* renderer, const SmoothField& field, const ColourMap& map)
+    : map_(map), parts_(std::make_unique<Parts>()) {
+  Parts& p = *parts_;
+  const auto columns = static_cast<double>(field.columns()), rows = static_cast<double>(field.rows());
+  const double right = field.dx() * (columns - 1), top = field.dy() * (rows - 1);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> places;
+  vtkNew<vtkCellArray> cells;
+  places->SetNumberOfComponents(2);
+  cells->InsertNextCell(4);
+  for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+    cells->InsertCellPoint(points->InsertNextPoint(x * right, y * top, 0));
+    // A texel's colour is at its middle.
+    places->InsertNextTuple2((0.5 + x * (columns - 1)) / columns, (0.5 + y * (rows - 1)) / rows);
+  }
+  vtkNew<vtkPolyData> sheet;
+  sheet->SetPoints(points);
+  sheet->SetPolys(cells);
+  sheet->GetPointData()->SetTCoords(places);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(sheet);
+  p.actor->SetMapper(mapper);
+  p.actor->GetProperty()->LightingOff();
+
+  p.grid->SetDimensions(static_cast<int>(field.columns()), static_cast<int>(field.rows()), 1);
+  p.texels->SetNumberOfComponents(4);
+  p.texels->SetNumberOfTuples(static_cast<vtkIdType>(field.fraction().size()));
+  p.grid->GetPointData()->SetScalars(p.texels);
+  p.texture->SetInputData(p.grid);
+  p.texture->SetColorModeToDirectScalars();
+  p.texture->InterpolateOn();
+  p.texture->RepeatOff();
+  p.texture->EdgeClampOn();
+  p.actor->SetTexture(p.texture);
+  p.actor->ForceOpaqueOn();
+  p.actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::TCoord::Impl", true,
+                                                             "//VTK::TCoord::Impl\n"
+                                                             "  if (gl_FragData[0].a < 0.5) discard;\n"
+                                                             "  gl_FragData[0].a = 1.0;\n",
+                                                             false);
+  renderer->AddActor(p.actor);
+}
+
+SmoothLiquid::~SmoothLiquid() = default;
+
+void SmoothLiquid::show(const SmoothField& field, Range range, const TankPose& pose) {
+  Parts& p = *parts_;
+  const auto &fraction = field.fraction(), &mean = field.mean();
+  std::uint8_t* texel = p.texels->GetPointer(0);
+  const double width = range.high - range.low;
+  for (std::size_t k = 0; k < fraction.size(); ++k, texel += 4) {
+    // 127.5 of 255 is the surface; what is far from the liquid needs no colour.
+    texel[3] =
+        static_cast<std::uint8_t>(std::lround(255 * std::clamp(fraction[k] / (2 * SmoothField::surface), 0.0, 1.0)));
+    if (texel[3] == 0) continue;
+    const Rgb colour = map_((mean[k] - range.low) / width);
+    std::copy(colour.begin(), colour.end(), texel);
+  }
+  p.texels->Modified();
+  p.grid->Modified();
+  stand(p.actor, pose, 0);
+}
+
+}  // namespace seiche::render

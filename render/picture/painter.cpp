@@ -1,0 +1,85 @@
+#include "render/picture/painter.hpp"
+
+#include <fmt/format.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <optional>
+#include <stdexcept>
+
+#include "render/curves/curve_strip.hpp"
+#include "render/gl/window.hpp"
+#include "render/picture/annotations.hpp"
+#include "render/picture/camera.hpp"
+#include "render/picture/palette.hpp"
+#include "render/picture/pixels.hpp"
+#include "render/picture/scalar_bar.hpp"
+#include "render/picture/tank_view.hpp"
+
+namespace seiche::render {
+
+/// What stays between frames.
+struct Painter::Stage {
+  vtkSmartPointer<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> renderer;
+  std::optional<Annotations> words;
+  std::optional<TankView> tank;
+  std::optional<ScalarBar> bar;
+  CurveStrip strip;
+  PixelReader pixels;
+
+  Stage(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves, const Frame& first);
+};
+
+Painter::Stage::Stage(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves, const Frame& first)
+    : strip(curves) {
+  const Palette colours = palette(look.background);
+  const Quantity quantity = quantity_of(look.quantity);
+  const View view(run.dimension, room_of(run, look, first));
+  words.emplace(run, look, caption_of(run), round_below(0.25 * view.width()));
+
+  Needs needs{.width = look.width, .height = look.height, .view_width = view.width(), .view_height = view.height()};
+  words->claim(needs, view.foreshortening());
+  if (look.show_bar) {
+    needs.bar_labels = ScalarBar::label_width(quantity, fixed_range(run, look).value_or(scene_range(run, quantity)));
+    needs.bar_title = text_width(title_of(quantity));
+  }
+  strip.claim(needs);
+  const Layout layout = lay_out(needs);
+  if (!(layout.scale > 0))
+    throw std::invalid_argument(fmt::format("a picture of {} x {} pixels is too small", look.width, look.height));
+
+  window = make_window(sharpness * look.width, sharpness * look.height);
+  window->SetAlphaBitPlanes(1);
+  window->AddRenderer(renderer);
+  set_background(renderer, look, colours.paper);
+  view.aim(renderer, layout, look.width, look.height);
+  tank.emplace(renderer, run, look, layout, colours, run.spacing);
+  if (look.show_bar) bar.emplace(renderer, layout, quantity, ColourMap(look.colour_map), colours.ink);
+  words->place(renderer, layout, view.foreshortening(), arrow_font(layout.view.width, layout.font), colours.ink);
+  strip.place(renderer, layout, colours);
+}
+
+Painter::Painter(const RunInfo& run, const Look& look) : run_(run), look_(look) {
+  check_look(look);
+  check_dimension(look, run.dimension);
+  curves_ = sensor_curves(run, look);
+}
+Painter::~Painter() = default;
+
+void Painter::record(const Readings& readings) {
+  for (SensorCurve& curve : curves_) render::record(curve, readings);
+}
+
+Image Painter::draw(const Frame& frame, Range range) {
+  if (!stage_) stage_ = std::make_unique<Stage>(run_, look_, curves_, frame);
+  stage_->tank->show(frame, range);
+  if (stage_->bar) stage_->bar->show(range, fluid_range(frame, quantity_of(look_.quantity)));
+  stage_->words->set_time(frame.time);
+  stage_->strip.show(frame.time);
+  stage_->window->Render();
+  return stage_->pixels.read(stage_->window);
+}
+
+}  // namespace seiche::render

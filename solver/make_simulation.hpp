@@ -1,0 +1,30 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "solver/errors.hpp"
+#include "solver/frame.hpp"
+#include "solver/parameters.hpp"
+#include "solver/simulation.hpp"
+
+// What a run is made of, before it has begun.
+namespace seiche {
+
+/// A run at t = 0. Throws BadParameters.
+/// @param sample_interval between two sensor readings [s]; 0: no sensors
+std::unique_ptr<Simulation> make_simulation(const Parameters& parameters, double sample_interval);
+
+/// Column names with units of `Frame::readings`, as in "p_left_bottom [Pa]".
+std::vector<std::string> sensor_columns(const Parameters& parameters);
+
+/// Replaces everything that a preset governs, "paper" or "stabilised", by its values, and sets `preset`.
+void apply_preset(Parameters& parameters, const std::string& preset);
+
+/// Throws BadParameters where the parameters don't fit together (a length that is no whole number of spacings ...).
+void check_parameters(const Parameters& parameters);
+
+/// No point of the tank, wall particles included, is ever displaced by more on each axis [m].
+Double3 motion_extent(const Parameters& parameters);
+
+}  // namespace seiche

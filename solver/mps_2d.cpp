@@ -1,7 +1,0 @@
-#include "solver/mps_steps.hpp"
-
-namespace seiche::solver {
-
-template class Mps<2>;
-
-}  // namespace seiche::solver

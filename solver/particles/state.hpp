@@ -1,0 +1,69 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "solver/frame.hpp"
+#include "solver/particles/kept.hpp"
+#include "solver/particles/vec.hpp"
+
+namespace seiche::solver {
+
+/// All that a step reads from the one before, as a structure of arrays in cell order.
+template <int D>
+struct State {
+  Vecs<D> position;  ///< in the tank's frame [m]
+  Vecs<D> velocity;  ///< relative to the tank [m/s]
+  Vecs<D> normal;    ///< out of the tank, for wall and dummy particles; zero in corners and for fluid
+  Scalars pressure;  ///< gauge [Pa]; the next solve starts from it
+  std::vector<Kind> kind;
+  std::vector<std::uint8_t> surface;  ///< 1 at the free surface, where the pressure is given
+  std::vector<std::uint32_t> id;
+  Scalars wet;  ///< 1 for fluid and for walls beside it, 0 for dry walls and what is behind them
+
+  Vecs<D> listed_position;  ///< where each particle was when the neighbour list was made
+  double time = 0;          ///< [s]
+  long step = 0;
+
+  std::size_t size() const { return position.size(); }
+
+  void add(const Vec<D>& r, Kind k, const Vec<D>& n) {
+    position.push_back(r);
+    velocity.push_back(Vec<D>::Zero());
+    normal.push_back(n);
+    pressure.push_back(0);
+    kind.push_back(k);
+    surface.push_back(0);
+    wet.push_back(1);
+    id.push_back(static_cast<std::uint32_t>(id.size()));
+  }
+
+  /// Keeps particles order[0], order[1], ... in that order and drops the others.
+  void reorder(const std::vector<int>& order) {
+    pick(position, order, vectors_);
+    pick(velocity, order, vectors_);
+    pick(normal, order, vectors_);
+    pick(pressure, order, scalars_);
+    pick(kind, order, kinds_);
+    pick(surface, order, bytes_);
+    pick(id, order, ids_);
+    pick(wet, order, scalars_);
+  }
+
+ private:
+  template <class T>
+  static void pick(std::vector<T>& values, const std::vector<int>& order, std::vector<T>& buffer) {
+    const int size = static_cast<int>(order.size());
+    resize_kept(buffer, size);
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < size; ++k) buffer[k] = values[order[k]];
+    values.swap(buffer);
+  }
+
+  Vecs<D> vectors_;
+  Scalars scalars_;
+  std::vector<Kind> kinds_;
+  std::vector<std::uint8_t> bytes_;
+  std::vector<std::uint32_t> ids_;
+};
+
+}  // namespace seiche::solver

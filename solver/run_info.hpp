@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "solver/frame.hpp"
+
+namespace seiche {
+
+/// What every frame of a run has in common; known before the first step.
+struct RunInfo {
+  std::string name;     ///< the scene's, as in "pan2008"
+  std::string version;  ///< the program's, as in "0.1.0"
+  std::string scene_hash;
+  std::string parameters;  ///< every scene key with its value, as TOML text
+  std::string kernel;      ///< as in "KF3"
+  std::string preset;
+  int dimension = 2;
+  Double3 tank{};  ///< inner length, height, width [m]; width 0 in 2-D
+  bool closed = true;
+  double depth = 0;           ///< of the still liquid [m]
+  double density = 0;         ///< [kg/m^3]
+  double gravity = 0;         ///< [m/s^2]
+  double spacing = 0;         ///< l0 [m]
+  Double3 sway{};             ///< greatest displacement of any point of the tank on each axis [m]: a picture's margin
+  double frame_interval = 0;  ///< [s]
+  double end = 0;             ///< [s]
+  std::vector<std::string> sensors;  ///< column names with units, as in "p_left_bottom [Pa]"
+};
+
+}  // namespace seiche

@@ -1,0 +1,48 @@
+#pragma once
+#include "solver/frame.hpp"
+#include "solver/motion/motion.hpp"
+#include "solver/sensors/budget.hpp"
+#include "solver/sensors/pressure_sensor.hpp"
+#include "solver/sensors/wall_load.hpp"
+#include "solver/sensors/wave_gauge.hpp"
+
+namespace seiche::solver {
+
+/// The sensors of a run, read at exact multiples of the sample interval by linear interpolation between the states
+/// before and after a step, and the tank's motion as it is at those times. Nothing is evaluated for steps without a
+/// sample.
+template <int D>
+class Sensors {
+ public:
+  /// @param interval between two samples [s]; 0: no sensors
+  /// @param s the state at t = 0, for its walls
+  Sensors(const Parameters& p, double interval, const State<D>& s);
+
+  /// Call before a step that ends at `end` [s].
+  void before_step(const State<D>& s, double end);
+
+  /// Call with the state at t = 0 and after each step.
+  void read(const State<D>& s);
+
+  /// Readings since the last call, in the order of `sensor_columns`.
+  Readings take();
+
+ private:
+  bool is_due(double time) const;
+  void evaluate(const State<D>& s, Scalars& values);
+
+  Parameters p_;
+  double interval_;
+  Motion motion_;
+  FluidCells<D> cells_;
+  SurfaceProfile<D> surface_;
+  WallLoad<D> walls_;
+  std::vector<PressureSensor<D>> pressures_;
+  std::vector<WaveGauge> gauges_;
+  Readings readings_;
+  Scalars last_, now_;     ///< values at `last_time_`, and a buffer
+  double last_time_ = -1;  ///< [s]
+  long next_ = 0;          ///< number of the next sample
+};
+
+}  // namespace seiche::solver

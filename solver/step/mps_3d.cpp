@@ -1,0 +1,7 @@
+#include "solver/step/mps_steps.hpp"
+
+namespace seiche::solver {
+
+template class Mps<3>;
+
+}  // namespace seiche::solver

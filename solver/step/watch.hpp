@@ -1,0 +1,100 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/errors.hpp"
+#include "solver/motion/motion.hpp"
+#include "solver/statistics.hpp"
+#include "solver/step/time_step.hpp"
+#include "solver/tank/tank.hpp"
+
+namespace seiche::solver {
+
+/// Stops a run that has gone wrong, with a sentence that says when, where and why.
+template <int D>
+class Watch {
+ public:
+  Watch(const Parameters& p, const Motion& motion)
+      : speed_limit_(10 * (std::sqrt(2 * p.gravity * Box<D>(p).diagonal()) + motion.fastest(reach(p)))),
+        cap_(step_cap(p)) {}
+
+  /// Greatest speed of the fluid [m/s]. Throws when one isn't finite, or beyond 10 (sqrt(2 g D) + tank speed), D the
+  /// tank's diagonal: ten times what a free fall through the whole tank gives.
+  double check_motion(const State<D>& s) const {
+    double fastest = 0;
+    int finite = 1;
+    const int size = static_cast<int>(s.size());
+#pragma omp parallel for schedule(static) reduction(max : fastest) reduction(min : finite)
+    for (int i = 0; i < size; ++i) {
+      const double v2 = s.velocity[i].squaredNorm();
+      if (!std::isfinite(v2 + s.position[i].sum() + s.pressure[i])) finite = 0;
+      fastest = std::max(fastest, v2);
+    }
+    fastest = std::sqrt(fastest);
+    if (!finite) fail_not_finite(s);
+    if (fastest > speed_limit_)
+      fail(s, first(s, [&](int i) { return s.velocity[i].norm() > speed_limit_; }),
+           fmt::format("the speed of {:.3g} m/s is beyond the limit of {:.3g} m/s", fastest, speed_limit_));
+    return fastest;
+  }
+
+  /// Throws RunFailure, naming the first particle that isn't finite where there is one.
+  [[noreturn]] void fail_not_finite(const State<D>& s) const {
+    const int i = first(
+        s, [&](int k) { return !std::isfinite(s.velocity[k].squaredNorm() + s.position[k].sum() + s.pressure[k]); });
+    if (i < 0)
+      throw RunFailure(
+          fmt::format("stopped at t = {:.4f} s, step {}: the source of the pressure equation is not finite (two "
+                      "particles in one place)",
+                      s.time, s.step));
+    fail(s, i, "a velocity, position or pressure is not a finite number");
+  }
+
+  /// Throws when more than 5 % of the fluid has gone through the walls.
+  void check_leaks(const State<D>& s, const Statistics& totals, long fluid_at_start) const {
+    if (totals.leaked * 20 > fluid_at_start)
+      throw RunFailure(fmt::format(
+          "stopped at t = {:.4f} s, step {}: {} of {} fluid particles leaked through the walls, more than 5 %", s.time,
+          s.step, totals.leaked, fluid_at_start));
+  }
+
+  /// Throws when the step rule has stayed under 1e-3 of its cap for 100 steps.
+  void check_step(const State<D>& s, double rule) {
+    short_steps_ = rule < 1e-3 * cap_ ? short_steps_ + 1 : 0;
+    if (short_steps_ >= 100)
+      throw RunFailure(
+          fmt::format("stopped at t = {:.4f} s, step {}: the time step has been {:.2g} s, under a thousandth of its "
+                      "cap of {:.2g} s, for 100 steps",
+                      s.time, s.step, rule, cap_));
+  }
+
+ private:
+  /// From the pivot to the farthest corner [m].
+  static double reach(const Parameters& p) {
+    const auto farther = [](double at, double size) { return std::max(std::abs(at), std::abs(size - at)); };
+    return std::hypot(farther(p.motion.pivot_x, p.tank.length), farther(p.motion.pivot_y, p.tank.height));
+  }
+
+  template <class F>
+  static int first(const State<D>& s, F bad) {
+    int found = -1;
+    for (int i = 0; i < static_cast<int>(s.size()); ++i)
+      if (bad(i) && (found < 0 || s.id[i] < s.id[found])) found = i;
+    return found;
+  }
+
+  [[noreturn]] static void fail(const State<D>& s, int i, const std::string& why) {
+    static constexpr const char* kinds[] = {"fluid", "wall", "dummy"};
+    std::string where = fmt::format("x = {:.4g} m, y = {:.4g} m", s.position[i][0], s.position[i][1]);
+    if constexpr (D == 3) where += fmt::format(", z = {:.4g} m", s.position[i][2]);
+    throw RunFailure(fmt::format("stopped at t = {:.4f} s, step {}: {} ({} particle {} at {})", s.time, s.step, why,
+                                 kinds[static_cast<int>(s.kind[i])], s.id[i], where));
+  }
+
+  double speed_limit_, cap_;
+  int short_steps_ = 0;
+};
+
+}  // namespace seiche::solver

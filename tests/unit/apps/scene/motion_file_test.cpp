@@ -1,0 +1,116 @@
+#include "apps/scene/motion_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "apps/commands/check.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "tests/unit/apps/files.hpp"
+
+namespace seiche::apps {
+namespace {
+
+const std::string good = "t [s],surge [m],roll [deg]\n0,0,0\n0.1,0.01,-2\n0.2,0.02,1e-1\n0.35,0.01,0\n";
+
+std::string error_of(const std::string& text) {
+  try {
+    parse_motion(text, "m.csv");
+  } catch (const BadScene& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(MotionFile, HasItsColumnsInAnyOrderAndWithAnySpaces) {
+  for (const std::string& text :
+       {good, std::string("\xef\xbb\xbfroll [deg] , t [s],surge [m]\r\n0,0,0\r\n -2 ,0.1,0.01\r\n"
+                          "0.1,0.2,0.02\r\n0,0.35,0.01\r\n\r\n\n")}) {
+    const Parameters::TimeSeries series = parse_motion(text, "m.csv");
+    EXPECT_EQ(series.time, (std::vector<double>{0, 0.1, 0.2, 0.35}));
+    EXPECT_EQ(series.surge, (std::vector<double>{0, 0.01, 0.02, 0.01}));
+    EXPECT_EQ(series.roll, (std::vector<double>{0, -2, 0.1, 0}));
+    EXPECT_TRUE(series.heave.empty());
+  }
+}
+
+TEST(MotionFile, ConvertsUnits) {
+  const auto series =
+      parse_motion("t [ms],surge [mm],heave [cm],roll [rad]\n0,5,5,1\n10,5,5,1\n20,5,5,1\n30,5,5,1\n", "");
+  EXPECT_DOUBLE_EQ(series.time[3], 0.03);
+  EXPECT_DOUBLE_EQ(series.surge[0], 0.005);
+  EXPECT_DOUBLE_EQ(series.heave[0], 0.05);
+  EXPECT_DOUBLE_EQ(series.roll[0], 57.295779513082323);
+}
+
+TEST(MotionFile, NamesTheLineOfAMistakeAndWhatWasExpected) {
+  const std::string known = "t [s] and surge [m], heave [m] or roll [deg] (also in ms, cm, mm, rad)";
+  EXPECT_EQ(error_of(""), "m.csv:1: an empty file; expected a header of column titles");
+  EXPECT_EQ(error_of("t [s],sway [m]\n0,0\n"), "m.csv:1: 'sway [m]' is no column of a motion; expected " + known);
+  EXPECT_EQ(error_of("t,surge [m]\n0,0\n"), "m.csv:1: 't' is no column of a motion; expected " + known);
+  EXPECT_EQ(error_of("t [s],surge [inch]\n"), "m.csv:1: 'surge [inch]' is no column of a motion; expected " + known);
+  EXPECT_EQ(error_of("surge [m]\n0\n"), "m.csv:1: there is no column of times; expected " + known);
+  EXPECT_EQ(error_of("t [s]\n0\n"), "m.csv:1: there is no column of a motion; expected " + known);
+  EXPECT_EQ(error_of("t [s],surge [m],surge [mm]\n"), "m.csv:1: 'surge [mm]' is there a second time");
+  const std::string head = "t [s],surge [m]\n0,0\n0.1,0\n";
+  EXPECT_EQ(error_of(head + "0.2\n"), "m.csv:4: 1 cells; expected 2, one below each column of the header");
+  EXPECT_EQ(error_of(head + "\n0.2,0\n"), "m.csv:4: 1 cells; expected 2, one below each column of the header");
+  EXPECT_EQ(error_of(head + "0.2,\n"), "m.csv:4: surge [m] is missing; expected a number in each cell");
+  EXPECT_EQ(error_of(head + "0.2,x1\n"), "m.csv:4: surge [m] = 'x1'; expected a number, as in -1.5e-3");
+  EXPECT_EQ(error_of(head + "0.2,1.5 m\n"), "m.csv:4: surge [m] = '1.5 m'; expected a number, as in -1.5e-3");
+  EXPECT_EQ(error_of(head + "0.2,nan\n"), "m.csv:4: surge [m] = nan; expected a finite number");
+  EXPECT_EQ(error_of(head + "inf,0\n"), "m.csv:4: t [s] = inf; expected a finite number");
+  EXPECT_EQ(error_of(head + "0.1,1\n"), "m.csv:4: t = 0.1 s; expected a time after the 0.1 s of the line above");
+  EXPECT_EQ(error_of(head + "0.05,1\n"), "m.csv:4: t = 0.05 s; expected a time after the 0.1 s of the line above");
+  EXPECT_EQ(error_of(head + "0.2,0\n"), "m.csv:4: the file ends after 3 samples; expected 4 at least");
+}
+
+struct SceneWithMotion : ::testing::Test {
+  test::Scratch scratch;
+  std::string scene = scratch / "sub/x.toml";
+  Scene read(const std::string& csv, const std::string& end = "0.35") {
+    test::write_text(scratch / "sub/m.csv", csv);
+    test::write_text(scene, "[motion]\ntype = \"file\"\nfile = \"m.csv\"\n[time]\nend = " + end + "\n");
+    return read_scene(scene, {});
+  }
+};
+
+TEST_F(SceneWithMotion, ReadsItBesideTheScene) {
+  const Scene scene = read(good);
+  EXPECT_EQ(scene.parameters.motion.series.surge.size(), 4u);
+  EXPECT_NE(check_text(scene).find("moved by 4 samples of m.csv, impulsive start"), std::string::npos);
+}
+
+TEST_F(SceneWithMotion, HashesWhatTheFileHolds) {
+  const std::string hash = scene_hash(read(good));
+  EXPECT_EQ(scene_hash(read(good + "\n")), hash);
+  EXPECT_NE(scene_hash(read(good.substr(0, good.size() - 2) + "1\n")), hash);
+}
+
+TEST_F(SceneWithMotion, WantsAFileAsLongAsTheRun) {
+  const auto error = [&](const std::string& csv, const std::string& end) -> std::string {
+    try {
+      read(csv, end);
+    } catch (const BadScene& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(error(good, "0.4"), scene +
+                                    ": motion.file holds the motion from 0 to 0.35 s, the run needs 0 to 0.4 s: "
+                                    "shorten time.end or lengthen the file");
+  EXPECT_NE(error("t [s],heave [m]\n0.1,0\n0.2,0\n0.3,0\n0.5,0\n", "0.35").find("from 0.1 to 0.5 s"),
+            std::string::npos);
+  EXPECT_EQ(error(good, "0.35"), "no error");
+}
+
+TEST_F(SceneWithMotion, ThatIsMissingIsNamed) {
+  test::write_text(scene, "[motion]\ntype = \"file\"\nfile = \"n\\\"o.csv\"\n");
+  try {
+    read_scene(scene, {});
+    ADD_FAILURE();
+  } catch (const BadScene& error) {
+    EXPECT_EQ(std::string(error.what()), (scratch / "sub/n\"o.csv").string() + ": this motion file isn't there");
+  }
+}
+
+}  // namespace
+}  // namespace seiche::apps

@@ -1,0 +1,56 @@
+#include "render/curves/curve_choice.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace seiche::render;
+
+namespace {
+
+const std::vector<std::string> sensors{"p_left_bottom [Pa]", "eta_left [m]", "eta_right [m]", "surge [m]"};
+
+std::vector<std::size_t> chosen(const std::string& curves, const std::vector<Reference>& references = {}) {
+  Look look;
+  look.curves = curves;
+  look.references = references;
+  return chosen_columns(look, sensors);
+}
+
+Reference beside(const std::string& sensor) {
+  Reference reference;
+  reference.of = sensor;
+  return reference;
+}
+
+}  // namespace
+
+TEST(CurveChoice, NamesStandInTheirOrder) {
+  EXPECT_EQ(chosen("eta_right, p_left_bottom"), (std::vector<std::size_t>{2, 0}));
+  EXPECT_EQ(chosen("surge"), (std::vector<std::size_t>{3}));
+  EXPECT_TRUE(chosen("none").empty());
+  EXPECT_THROW(chosen("eta"), std::invalid_argument);
+}
+
+TEST(CurveChoice, AutoTakesElevationPressureAndMotion) {
+  EXPECT_EQ(chosen("auto"), (std::vector<std::size_t>{1, 0, 3}));
+  EXPECT_EQ(chosen_columns(Look{}, {"p_roof [Pa]"}), (std::vector<std::size_t>{0}));
+  EXPECT_TRUE(chosen_columns(Look{}, {}).empty());
+}
+
+TEST(CurveChoice, AutoPrefersWhatHasAReference) {
+  EXPECT_EQ(chosen("auto", {beside("eta_right")}), (std::vector<std::size_t>{2, 0, 3}));
+  EXPECT_EQ(chosen("auto", {beside("surge"), beside("surge"), beside("p_left_bottom")}),
+            (std::vector<std::size_t>{3, 0, 1}));
+}
+
+TEST(CurveChoice, AListThatNoPictureCouldShowIsRefused) {
+  for (const char* bad : {"", "a,", ",a", "a,,b", "a, b, c, d"}) EXPECT_THROW(named_curves(bad), std::invalid_argument);
+  EXPECT_EQ(named_curves("auto"), std::nullopt);
+  EXPECT_EQ(named_curves(" a ,b"), (std::vector<std::string>{"a", "b"}));
+}
+
+TEST(CurveChoice, ColumnsHaveNamesAndTitles) {
+  EXPECT_EQ(bare_name("p_left_bottom [Pa]"), "p_left_bottom");
+  EXPECT_EQ(curve_title("p_left_bottom [Pa]"), "pressure, left bottom [Pa]");
+  EXPECT_EQ(curve_title("eta_left [m]"), "elevation, left [m]");
+  EXPECT_EQ(curve_title("surge [m]"), "surge [m]");
+}

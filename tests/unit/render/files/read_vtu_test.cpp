@@ -1,0 +1,108 @@
+#include "render/files/read_vtu.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <limits>
+
+#include "render/files/provenance.hpp"
+#include "render/files/vtu.hpp"
+#include "tests/unit/render/scratch.hpp"
+#include "tests/unit/render/synthetic.hpp"
+
+using namespace seiche;
+using namespace seiche::render;
+
+namespace {
+
+const test::Box box{.length = 0.1, .height = 0.1, .depth = 0.05, .spacing = 0.01};
+
+template <class Value>
+void expect_same_bits(const std::vector<Value>& a, const std::vector<Value>& b, const char* what) {
+  ASSERT_EQ(a.size(), b.size()) << what;
+  EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0) << what;
+}
+
+void expect_same(const Frame& a, const Frame& b) {
+  EXPECT_EQ(a.index, b.index);
+  EXPECT_EQ(a.step, b.step);
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.pose.displacement, b.pose.displacement);
+  EXPECT_EQ(a.pose.velocity, b.pose.velocity);
+  EXPECT_EQ(a.pose.roll, b.pose.roll);
+  EXPECT_EQ(a.pose.roll_rate, b.pose.roll_rate);
+  EXPECT_EQ(a.pose.pivot, b.pose.pivot);
+  expect_same_bits(a.position, b.position, "position");
+  expect_same_bits(a.velocity, b.velocity, "velocity");
+  expect_same_bits(a.pressure, b.pressure, "pressure");
+  expect_same_bits(a.number_density, b.number_density, "number_density");
+  expect_same_bits(a.kind, b.kind, "kind");
+  expect_same_bits(a.free_surface, b.free_surface, "free_surface");
+  expect_same_bits(a.id, b.id, "id");
+}
+
+void write(const std::filesystem::path& file, const Frame& frame) {
+  write_vtu(file, frame, provenance(test::run_info(box), frame));
+}
+
+std::string trouble_with(const std::filesystem::path& file) {
+  testing::internal::CaptureStderr();
+  std::string what = "none";
+  try {
+    read_vtu(file, 0);
+  } catch (const std::runtime_error& error) {
+    what = error.what();
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "VTK has a say of its own";
+  return what;
+}
+
+}  // namespace
+
+TEST(ReadVtu, GivesTheFrameThatWasWrittenBitByBit) {
+  const test::Scratch scratch;
+  Frame frame = *test::lattice(box, 0.1, 7);
+  frame.time = 0.1 + 0.2;  // which no few digits hold
+  frame.pose.velocity = {1.0 / 3, -2e-300, 0};
+  frame.pose.roll = 0.1;
+  frame.pose.roll_rate = -1.0 / 7;
+  frame.pressure[1] = std::numeric_limits<float>::max();
+  frame.pressure[2] = std::numeric_limits<float>::denorm_min();
+  frame.velocity[3] = {-0.0f, std::numeric_limits<float>::lowest(), 1e-38f};
+  frame.number_density[4] = 0.987654f;
+  frame.id[5] = 4'000'000'000;
+  write(scratch / "a.vtu", frame);
+  expect_same(read_vtu(scratch / "a.vtu", 7), frame);
+}
+
+TEST(ReadVtu, TakesAFrameWithoutParticles) {
+  const test::Scratch scratch;
+  write(scratch / "a.vtu", Frame{});
+  expect_same(read_vtu(scratch / "a.vtu", 0), Frame{});
+}
+
+TEST(ReadVtu, SaysInOneSentenceWhatIsWrong) {
+  const test::Scratch scratch;
+  const auto file = scratch / "a.vtu";
+  EXPECT_EQ(trouble_with(file), file.string() + " isn't there");
+
+  const std::string unreadable = file.string() + " can't be read: it is damaged or no VTU file";
+  std::ofstream(file) << "t [s],p\n";
+  EXPECT_EQ(trouble_with(file), unreadable);
+
+  write(file, *test::lattice(box, 0.1));
+  const auto whole = std::filesystem::file_size(file);
+  for (const double share : {0.99, 0.9, 0.6, 0.3, 0.1, 0.01, 0.0}) {
+    write(file, *test::lattice(box, 0.1));
+    std::filesystem::resize_file(file, static_cast<std::uintmax_t>(share * static_cast<double>(whole)));
+    EXPECT_EQ(trouble_with(file), unreadable) << "after " << share << " of it";
+  }
+}
+
+TEST(ReadVtu, RefusesAnothersFileByWhatItLacks) {
+  const test::Scratch scratch;
+  const auto file = scratch / "a.vtu";
+  write_vtu(file, *test::lattice(box, 0.1), {});
+  EXPECT_EQ(trouble_with(file), file.string() + " has no step as Seiche writes it");
+}

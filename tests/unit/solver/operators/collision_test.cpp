@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include "solver/operators/separation.hpp"
+#include "tests/unit/solver/cloud.hpp"
+
+namespace seiche::solver {
+namespace {
+
+using test::l0;
+
+template <int D>
+void collide(State<D>& s, double distance = 0.8 * l0, std::uint8_t near_surface = 0) {
+  const auto list = test::listed(s, 2 * l0);
+  std::vector<int> collisions(s.size());
+  Vecs<D> change(s.size());
+  collide_close_pairs(distance, l0, std::vector<std::uint8_t>(s.size(), near_surface), list, s, collisions, change);
+}
+
+/// Two particles `apart` along x, the second with velocity `u`, after their collision, in the order of their making.
+template <int D>
+State<D> pair(double apart, const Vec<D>& u, Kind first = Kind::fluid, std::uint8_t near_surface = 0) {
+  State<D> s;
+  s.add(Vec<D>::Zero(), first, Vec<D>::Zero());
+  s.add(apart * Vec<D>::Unit(0), Kind::fluid, Vec<D>::Zero());
+  s.velocity[1] = u;
+  collide(s, 0.8 * l0, near_surface);
+  if (s.id[0] == 1) s.reorder({1, 0});
+  return s;
+}
+
+template <class T>
+struct Collision : ::testing::Test {};
+TYPED_TEST_SUITE(Collision, test::Dimensions);
+
+TYPED_TEST(Collision, TakesTheApproachAndNothingElse) {
+  constexpr int D = TypeParam::D;
+  const Vec<D> x = Vec<D>::Unit(0), across = Vec<D>::Unit(1);
+  const State<D> s = pair<D>(0.7 * l0, -2 * x + across);
+  EXPECT_LT((s.velocity[0] + x).norm(), 1e-15);
+  EXPECT_LT((s.velocity[1] - (-x + across)).norm(), 1e-15);
+}
+
+TYPED_TEST(Collision, WithAWallTakesAllOfIt) {
+  constexpr int D = TypeParam::D;
+  const Vec<D> x = Vec<D>::Unit(0), across = Vec<D>::Unit(1);
+  for (Kind wall : {Kind::wall, Kind::dummy}) {
+    const State<D> s = pair<D>(0.7 * l0, -2 * x + across, wall);
+    EXPECT_TRUE(s.velocity[0].isZero());
+    EXPECT_LT((s.velocity[1] - across).norm(), 1e-15);
+  }
+}
+
+TYPED_TEST(Collision, LeavesPairsThatPartOrAreFarAlone) {
+  constexpr int D = TypeParam::D;
+  const Vec<D> x = Vec<D>::Unit(0);
+  EXPECT_EQ(pair<D>(0.7 * l0, 2 * x).velocity[1], Vec<D>(2 * x));
+  EXPECT_EQ(pair<D>(0.81 * l0, -2 * x).velocity[1], Vec<D>(-2 * x));
+}
+
+TYPED_TEST(Collision, ReachesFurtherNearTheSurface) {
+  constexpr int D = TypeParam::D;
+  const Vec<D> x = Vec<D>::Unit(0);
+  EXPECT_EQ(pair<D>(0.99 * l0, -2 * x, Kind::fluid, 0).velocity[1], Vec<D>(-2 * x));
+  EXPECT_LT((pair<D>(0.99 * l0, -2 * x, Kind::fluid, 1).velocity[1] + x).norm(), 1e-15);
+  EXPECT_EQ(pair<D>(1.01 * l0, -2 * x, Kind::fluid, 1).velocity[1], Vec<D>(-2 * x));
+}
+
+template <int D>
+std::pair<Vec<D>, double> momentum_and_energy(const State<D>& s) {
+  Vec<D> momentum = Vec<D>::Zero();
+  double energy = 0;
+  for (const auto& u : s.velocity) momentum += u, energy += 0.5 * u.squaredNorm();
+  return {momentum, energy};
+}
+
+TYPED_TEST(Collision, OfACloudKeepsMomentumAndLosesEnergy) {
+  constexpr int D = TypeParam::D;
+  for (int seed = 1; seed <= 20; ++seed) {
+    State<D> s = test::random_cloud<D>(150, -l0, l0, seed);
+    std::mt19937_64 random(100 + seed);  // not the positions' own
+    for (auto& u : s.velocity) u = test::random_vec<D>(random, -1, 1);
+    const auto [momentum, energy] = momentum_and_energy(s);
+    collide(s);
+    const auto [momentum_after, energy_after] = momentum_and_energy(s);
+    EXPECT_LT((momentum_after - momentum).norm(), 1e-13 * s.size());
+    EXPECT_LT(energy_after, energy);
+  }
+}
+
+TYPED_TEST(Collision, OfACloudBetweenWallsLosesEnergyEvenWhereAllFallTogether) {
+  constexpr int D = TypeParam::D;
+  for (int seed = 1; seed <= 20; ++seed) {
+    State<D> s = test::random_cloud<D>(150, -l0, l0, seed);
+    // The worst case for corrections that all act at once: everything runs towards one point.
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      if (i % 3 == 0) s.kind[i] = Kind::wall;
+      if (i % 3 != 0) s.velocity[i] = -s.position[i] / l0;
+    }
+    const double energy = momentum_and_energy(s).second;
+    collide(s);
+    EXPECT_LT(momentum_and_energy(s).second, energy);
+    for (std::size_t i = 0; i < s.size(); ++i)
+      if (s.kind[i] == Kind::wall) {
+        EXPECT_TRUE(s.velocity[i].isZero());
+      }
+  }
+}
+
+}  // namespace
+}  // namespace seiche::solver

@@ -1,0 +1,128 @@
+#include "solver/sensors/sensor_list.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/solver/expect_refused.hpp"
+
+namespace seiche {
+namespace {
+
+using Names = std::vector<std::string>;
+using test::expect_refused;
+
+TEST(SensorColumns, OfTheDefaults) {
+  Parameters p;
+  EXPECT_EQ(sensor_columns(p), (Names{"p_left_bottom [Pa]", "eta_left [m]", "eta_right [m]", "force_x [N/m]",
+                                      "force_y [N/m]", "moment [N m/m]", "kinetic_energy [J/m]",
+                                      "potential_energy [J/m]", "volume [m^2]", "x_mass [m]", "y_mass [m]"}));
+  p.tank.width = 0.1;
+  EXPECT_EQ(sensor_columns(p),
+            (Names{"p_left_bottom [Pa]", "eta_left [m]", "eta_right [m]", "force_x [N]", "force_y [N]", "force_z [N]",
+                   "moment [N m]", "kinetic_energy [J]", "potential_energy [J]", "volume [m^3]", "x_mass [m]",
+                   "y_mass [m]", "z_mass [m]"}));
+}
+
+TEST(SensorColumns, OfAListInItsOrder) {
+  Parameters p;
+  p.sensors.pressure = {{"roof", 0.3, 0.4, 0, 0.01}, {"floor", 0.3, 0, 0, 0}};
+  p.sensors.gauge = {{"mid", 0.3, 0}};
+  p.sensors.force = p.sensors.energy = p.sensors.volume = false;
+  EXPECT_EQ(sensor_columns(p), (Names{"p_roof [Pa]", "p_floor [Pa]", "eta_mid [m]"}));
+}
+
+TEST(SensorColumns, EndWithTheMotion) {
+  Parameters p;
+  p.motion.type = "surge";
+  p.motion.amplitude = 0.01;
+  p.motion.frequency = 1;
+  EXPECT_EQ(sensor_columns(p).back(), "surge [m]");
+}
+
+TEST(SensorsOf, DefaultsStandMidwayAcross) {
+  Parameters p;
+  p.tank.width = 0.3;
+  const auto sensors = solver::sensors_of(p);
+  EXPECT_EQ(sensors.pressure.at(0).z, 0.15);
+  EXPECT_EQ(sensors.gauge.at(0).z, 0.15);
+  EXPECT_EQ(sensors.gauge.at(1).x, 0.6);
+  EXPECT_NO_THROW(check_parameters(p));
+}
+
+Parameters with_pressure(double x, double y, double z = 0, double side = 0) {
+  Parameters p;
+  p.sensors.pressure = {{"s", x, y, z, side}};
+  return p;
+}
+
+TEST(CheckSensors, WantsPressureSensorsInsideTheTank) {
+  expect_refused(with_pressure(0.7, 0), {"sensors.pressure 's'", "(0.7, 0, 0) m", "outside", "0.6 m", "0.4 m"});
+  expect_refused(with_pressure(0, -0.01), {"outside"});
+  expect_refused(with_pressure(0, 0.1, 0.05), {"outside", "no z"});
+  Parameters deep = with_pressure(0, 0.1, 0.2);
+  deep.tank.width = 0.1;
+  expect_refused(deep, {"outside", "z from 0 to 0.1 m"});
+}
+
+TEST(CheckSensors, WantsPressureSensorsOnAWallAndSaysWhereOneIs) {
+  expect_refused(with_pressure(0.1, 0.15), {"(0.1, 0.15) m", "not on a wall", "(0, 0.15) m"});
+  expect_refused(with_pressure(0.3, 0.39), {"(0.3, 0.4) m"});
+  Parameters open = with_pressure(0.4, 0.4);
+  EXPECT_NO_THROW(check_parameters(open));
+  open.tank.closed = false;
+  expect_refused(open, {"not on a wall", "the nearest point of one is (0.6, 0.4) m"});
+  Parameters wide = with_pressure(0.3, 0.2, 0.1);
+  wide.tank.width = 0.1;
+  EXPECT_NO_THROW(check_parameters(wide));
+  wide.sensors.pressure[0].z = 0.09;
+  expect_refused(wide, {"(0.3, 0.2, 0.09) m", "(0.3, 0.2, 0.1) m"});
+}
+
+TEST(CheckSensors, ForgivesTheRoundingOfDecimals) {
+  EXPECT_NO_THROW(check_parameters(with_pressure(0.6 + 5e-10, 0.1)));
+  EXPECT_NO_THROW(check_parameters(with_pressure(0.3, -5e-10)));
+  expect_refused(with_pressure(0.6 - 5e-9, 0.1), {"not on a wall"});
+}
+
+TEST(CheckSensors, WantsASideThatIsNone) { expect_refused(with_pressure(0, 0.1, 0, -0.01), {"side", "-0.01"}); }
+
+TEST(CheckSensors, WantsGaugesInsideTheTank) {
+  Parameters p;
+  p.sensors.gauge = {{"far", 0.61, 0}};
+  expect_refused(p, {"sensors.gauge 'far'", "x = 0.61 m", "from 0 to 0.6 m"});
+  p.sensors.gauge = {{"far", 0.6, 0.1}};
+  expect_refused(p, {"outside"});
+  p.tank.width = 0.1;
+  EXPECT_NO_THROW(check_parameters(p));
+}
+
+TEST(CheckSensors, WantsANameOfItsOwnForEach) {
+  Parameters p = with_pressure(0, 0);
+  p.sensors.pressure.push_back(p.sensors.pressure[0]);
+  expect_refused(p, {"sensors.pressure", "'s'", "name of its own"});
+  p = {};
+  p.sensors.gauge = {{"a", 0, 0}, {"b", 0.1, 0}, {"a", 0.2, 0}};
+  expect_refused(p, {"sensors.gauge", "'a'"});
+  p.sensors.gauge[2].name = "s";
+  p.sensors.pressure = {{"a", 0, 0, 0, 0}};
+  EXPECT_NO_THROW(check_parameters(p)) << "p_a and eta_a are two columns";
+  for (const char* bad : {"", "two words", "a,b", "a[b]", "\"a\""}) {
+    p.sensors.gauge[2].name = bad;
+    expect_refused(p, {"sensors.gauge", "column"});
+  }
+}
+
+TEST(WallAxis, IsThatOfTheSideWallInACorner) {
+  Parameters p;
+  const auto axis = [&](double x, double y, double z) { return solver::wall_axis({"s", x, y, z, 0}, p); };
+  EXPECT_EQ(axis(0, 0, 0), 0);
+  EXPECT_EQ(axis(0.6, 0.2, 0), 0);
+  EXPECT_EQ(axis(0.3, 0, 0), 1);
+  EXPECT_EQ(axis(0.3, 0.2, 0), -1);
+  p.tank.width = 0.1;
+  EXPECT_EQ(axis(0.3, 0, 0), 2);
+  EXPECT_EQ(axis(0.3, 0, 0.05), 1);
+  EXPECT_EQ(axis(0.3, 0.2, 0.1), 2);
+}
+
+}  // namespace
+}  // namespace seiche

@@ -1,0 +1,110 @@
+#include "solver/step/watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/solver/still_tank.hpp"
+
+namespace seiche::solver {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <class T>
+struct WatchOf : ::testing::Test {
+  static constexpr int D = T::D;
+  Parameters p = parameters();
+  Motion motion{p.motion};
+  Watch<D> watch{p, motion};
+  State<D> s = fill_tank<D>(p);
+
+  static Parameters parameters() {
+    Parameters p = test::small_tank<D>();
+    p.motion = {.type = "surge", .amplitude = 0.1, .frequency = 1, .start = "smooth"};
+    return p;
+  }
+  WatchOf() {
+    s.time = 1.25;
+    s.step = 345;
+  }
+  double limit() const {
+    const double diagonal = std::sqrt(0.2 * 0.2 + 0.15 * 0.15 + (D == 3 ? 0.12 * 0.12 : 0));
+    return 10 * (std::sqrt(2 * 9.81 * diagonal) + 0.2 * std::numbers::pi);
+  }
+
+  /// Expects `act` to fail with a message that has every one of the words, and the time and step.
+  template <class F>
+  static void expect_failure(F act, std::vector<std::string> words) {
+    words.insert(words.end(), {"t = 1.2500 s", "step 345"});
+    try {
+      act();
+      ADD_FAILURE() << "nothing was thrown";
+    } catch (const RunFailure& failure) {
+      for (const auto& word : words)
+        EXPECT_NE(std::string(failure.what()).find(word), std::string::npos) << word << " in: " << failure.what();
+    }
+  }
+};
+TYPED_TEST_SUITE(WatchOf, test::Dimensions);
+
+TYPED_TEST(WatchOf, GivesTheGreatestSpeed) {
+  constexpr int D = TypeParam::D;
+  EXPECT_EQ(this->watch.check_motion(this->s), 0);
+  this->s.velocity[17] = 3 * test::slanted<D>().normalized();
+  this->s.velocity[18] = -2 * Vec<D>::Unit(0);
+  EXPECT_DOUBLE_EQ(this->watch.check_motion(this->s), 3);
+}
+
+TYPED_TEST(WatchOf, StopsAtWhatIsNotFinite) {
+  const auto expect_stop = [&](auto spoil, const std::string& kind, int i) {
+    auto s = this->s;
+    spoil(s);
+    this->expect_failure([&] { this->watch.check_motion(s); },
+                         {"not a finite number", kind + " particle " + std::to_string(i)});
+  };
+  expect_stop([](auto& s) { s.velocity[9][1] = nan; }, "fluid", 9);
+  expect_stop([](auto& s) { s.velocity[9][0] = std::numeric_limits<double>::infinity(); }, "fluid", 9);
+  expect_stop([](auto& s) { s.position[11][0] = nan; }, "fluid", 11);
+  expect_stop([](auto& s) { s.pressure[12] = s.pressure[5] = nan; }, "fluid", 5);
+  const auto wall = std::find(this->s.kind.begin(), this->s.kind.end(), Kind::wall) - this->s.kind.begin();
+  expect_stop([&](auto& s) { s.pressure[wall] = nan; }, "wall", wall);
+}
+
+TYPED_TEST(WatchOf, SaysWhereInTheTank) {
+  this->s.velocity[21][0] = nan;  // second row of 20, second column
+  std::vector<std::string> where{"x = 0.015 m, y = 0.015 m"};
+  if (TypeParam::D == 3) where.push_back("z = 0.005 m");
+  this->expect_failure([&] { this->watch.check_motion(this->s); }, where);
+}
+
+TYPED_TEST(WatchOf, StopsBeyondTenTimesAFreeFall) {
+  this->s.velocity[3][1] = -this->limit() * (1 - 1e-9);
+  EXPECT_NO_THROW(this->watch.check_motion(this->s));
+  this->s.velocity[3][1] = -this->limit() * (1 + 1e-9);
+  this->expect_failure([&] { this->watch.check_motion(this->s); }, {"beyond the limit of", "fluid particle 3 at x ="});
+}
+
+TYPED_TEST(WatchOf, StopsWhenMoreThanATwentiethLeaked) {
+  Statistics totals;
+  totals.leaked = 10;
+  EXPECT_NO_THROW(this->watch.check_leaks(this->s, totals, 200));
+  totals.leaked = 11;
+  this->expect_failure([&] { this->watch.check_leaks(this->s, totals, 200); }, {"11 of 200", "leaked", "5 %"});
+  totals.leaked = 0;
+  totals.spilled = 150;
+  EXPECT_NO_THROW(this->watch.check_leaks(this->s, totals, 200)) << "what goes over the rim is no leak";
+}
+
+TYPED_TEST(WatchOf, StopsAfterAHundredShortStepsInARow) {
+  const double cap = step_cap(this->p), tiny = 0.999e-3 * cap;
+  for (int k = 0; k < 99; ++k) this->watch.check_step(this->s, tiny);
+  this->watch.check_step(this->s, 1.001e-3 * cap);  // one longer step: the count begins anew
+  for (int k = 0; k < 99; ++k) this->watch.check_step(this->s, tiny);
+  this->expect_failure([&] { this->watch.check_step(this->s, tiny); }, {"time step", "for 100 steps"});
+}
+
+TYPED_TEST(WatchOf, NamesTheSourceWhereEveryParticleIsFinite) {
+  this->expect_failure([&] { this->watch.fail_not_finite(this->s); }, {"source", "two particles in one place"});
+}
+
+}  // namespace
+}  // namespace seiche::solver
