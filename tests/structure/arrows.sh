@@ -1,0 +1,34 @@
+#!/bin/sh
+# Checks which way includes run: arrows.sh SOURCES FLOORS. Says each that runs upwards (floors.txt), each cycle of units,
+# and each folder of more than 20 units; exits with 1 when there is one.
+set -u
+cd "$1"
+floors="$2"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+find solver render apps -name '*.[hc]pp' | sort |
+  xargs awk 'sub(/^#include "/, "") && sub(/".*/, "") { print FILENAME, $0 }' |
+  sed 's/\.[hc]pp / /; s/\.[hc]pp$//' | awk '$1 != $2' | sort -u >"$work/arrows"
+
+awk '
+  function floor_of(unit,   place) {
+    if (unit in floor) return floor[unit]
+    place = unit
+    if (sub(/\/[^\/]*$/, "", place) && place in floor) return floor[place]
+    print unit " stands in no room of floors.txt"; bad = 1
+    return 0
+  }
+  NR == FNR { if ($0 !~ /^#/ && NF) floor[$1] = ++floors; next }
+  floor_of($1) < floor_of($2) { print $1 " includes " $2 ", which stands above it"; bad = 1 }
+  END { exit bad }
+' "$floors" "$work/arrows"
+upwards=$?
+
+# tsort names the units of a cycle on stderr.
+tsort "$work/arrows" >/dev/null 2>"$work/cycles" || sed 's/^/cycle: /' "$work/cycles"
+
+find solver render apps -name '*.[hc]pp' | sed 's/\.[hc]pp$//' | sort -u | sed 's,/[^/]*$,,' | sort | uniq -c |
+  awk '$1 > 20 { print $2 " holds " $1 " units, more than 20" }' | tee "$work/crowded"
+
+[ "$upwards" -eq 0 ] && [ ! -s "$work/cycles" ] && [ ! -s "$work/crowded" ]
