@@ -1,9 +1,10 @@
+#include "solver/check_parameters.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <initializer_list>
 
-#include "solver/make_simulation.hpp"
 #include "solver/motion/check_motion.hpp"
 #include "solver/sensors/sensor_list.hpp"
 
@@ -36,15 +37,6 @@ void check_name(const char* key, const std::string& name, std::initializer_list<
 
 void check_parameters(const Parameters& p) {
   check_name("motion.type", p.motion.type, {"none", "surge", "heave", "roll", "harmonics", "file"});
-  check_name("motion.start", p.motion.start, {"impulsive", "smooth"});
-  check_name("method.order", p.method.order, {"project-first", "move-first"});
-  check_name("method.source", p.method.source, {"mixed", "density"});
-  check_name("method.gradient", p.method.gradient, {"corrected", "minimum", "plain"});
-  check_name("method.surface", p.method.surface, {"density-and-count", "density"});
-  check_name("method.separation", p.method.separation, {"collide", "part", "none"});
-  check_name("method.viscous", p.method.viscous, {"strain-rate", "laplacian"});
-  check_name("method.wall", p.method.wall, {"free-slip", "no-slip"});
-  check_name("pressure.solver", p.pressure.solver, {"amg", "iccg", "sor", "cholmod"});
   const double l0 = p.particles.spacing;
   check_whole("tank.length", p.tank.length, l0);
   check_whole("tank.height", p.tank.height, l0);
@@ -63,7 +55,7 @@ void check_parameters(const Parameters& p) {
     throw BadParameters(
         fmt::format("fluid.wave_mode = {} makes half a wave {:.3g} spacings long; a run needs 4 at least",
                     p.fluid.wave_mode, p.tank.length / (p.fluid.wave_mode * l0)));
-  if (p.method.order == "move-first" && p.method.shift > 0)
+  if (p.method.order == Order::move_first && p.method.shift > 0)
     throw BadParameters(
         fmt::format("method.shift = {:.6g} needs method.order = project-first: the other order moves "
                     "particles twice and leaves no place for a shift",

@@ -2,6 +2,7 @@
 
 #include <omp.h>
 
+#include "solver/check_parameters.hpp"
 #include "solver/motion/motion.hpp"
 #include "solver/sensors/sensor_list.hpp"
 #include "solver/step/mps.hpp"

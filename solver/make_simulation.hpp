@@ -18,12 +18,6 @@ std::unique_ptr<Simulation> make_simulation(const Parameters& parameters, double
 /// Column names with units of `Frame::readings`, as in "p_left_bottom [Pa]".
 std::vector<std::string> sensor_columns(const Parameters& parameters);
 
-/// Replaces everything that a preset governs, "paper" or "stabilised", by its values, and sets `preset`.
-void apply_preset(Parameters& parameters, const std::string& preset);
-
-/// Throws BadParameters where the parameters don't fit together (a length that is no whole number of spacings ...).
-void check_parameters(const Parameters& parameters);
-
 /// No point of the tank, wall particles included, is ever displaced by more on each axis [m].
 Double3 motion_extent(const Parameters& parameters);
 

@@ -2,12 +2,14 @@
 #include <string>
 #include <vector>
 
+#include "solver/choice.hpp"
+
 namespace seiche {
 
 /// Everything that the physics of a run depends on, in SI units. Who fills it in (a scene file, a test) sees to the
 /// ranges; `Simulation` checks only what concerns several members at once.
 struct Parameters {
-  std::string preset = "stabilised";
+  Preset preset = Preset::stabilised;
   double gravity = 9.81;  ///< [m/s^2], along -y
 
   struct Fluid {
@@ -51,8 +53,7 @@ struct Parameters {
     std::string file{};  ///< CSV of the series; the program reads it into `series`
     TimeSeries series{};
     double pivot_x = 0, pivot_y = 0;  ///< point that roll turns about, in the tank's frame [m]
-    std::string start =
-        "impulsive";  ///< impulsive: water at rest in the lab | smooth: water moves with the tank at t = 0
+    Start start = Start::impulsive;
   } motion;
 
   /// A pressure sensor on a wall.
@@ -80,28 +81,29 @@ struct Parameters {
     double spacing = 0.005;  ///< l0 [m]
   } particles;
 
-  /// Each choice goes by name. Radii are in units of l0.
+  /// Radii are in units of l0.
   struct Method {
-    std::string kernel = "KF3";                 ///< KF1 .. KF5, Table 1
-    double kf2_alpha = 3.0;                     ///< alpha of KF2
-    double radius_density = 2.6;                ///< r_e of the number density and the divergence
-    double radius_gradient = 2.6;               ///< r_e of the gradient
-    double radius_laplacian = 2.6;              ///< r_e of the Laplacian
-    double surface_beta = 0.97;                 ///< beta of equation (11)
-    std::string order = "project-first";        ///< project-first | move-first (the paper's)
-    std::string source = "mixed";               ///< mixed | density (equation 10)
-    std::string gradient = "corrected";         ///< corrected | minimum | plain (equation 4)
-    std::string surface = "density-and-count";  ///< density-and-count | density (equation 11)
-    std::string separation = "collide";         ///< collide | part (the additional modification) | none
-    double separation_distance = 0.8;           ///< pairs nearer than this are separated [l0]
-    double shift = 1;                           ///< rate of particle shifting [sqrt(g H)/l0]; 0: none
-    std::string viscous = "strain-rate";        ///< strain-rate | laplacian (equation 5): form of the viscous term
-    std::string wall = "free-slip";             ///< free-slip | no-slip: what walls do to the viscous term
+    std::string kernel = "KF3";     ///< KF1 .. KF5, Table 1
+    double kf2_alpha = 3.0;         ///< alpha of KF2
+    double radius_density = 2.6;    ///< r_e of the number density and the divergence
+    double radius_gradient = 2.6;   ///< r_e of the gradient
+    double radius_laplacian = 2.6;  ///< r_e of the Laplacian
+    double surface_beta = 0.97;     ///< beta of equation (11)
+    Order order = Order::project_first;
+    SourceTerm source = SourceTerm::mixed;
+    GradientModel gradient = GradientModel::corrected;
+    SurfaceTest surface = SurfaceTest::density_and_count;
+    SeparationModel separation = SeparationModel::collide;
+    double separation_distance = 0.8;  ///< pairs nearer than this are separated [l0]
+    double shift = 1;                  ///< rate of particle shifting [sqrt(g H)/l0]; 0: none
+    ViscousModel viscous = ViscousModel::strain_rate;
+    WallModel walls = WallModel::ghosts;
+    WallSlip wall = WallSlip::free;
   } method;
 
   struct Pressure {
-    std::string solver = "amg";  ///< amg | iccg | sor | cholmod
-    double tolerance = 1e-4;     ///< relative residual at which an iterative solver stops
+    SolverName solver = SolverName::amg;
+    double tolerance = 1e-4;  ///< relative residual at which an iterative solver stops
     int max_iterations = 2000;
   } pressure;
 

@@ -9,7 +9,7 @@ namespace {
 
 std::string motion_text(const Parameters::Motion& motion) {
   if (motion.type == "none") return "tank at rest";
-  const std::string start = fmt::format("{} start", motion.start);
+  const std::string start = fmt::format("{} start", name(motion.start));
   if (motion.type == "harmonics") return fmt::format("moved by {} harmonics, {}", motion.harmonics.size(), start);
   if (motion.type == "file")
     return fmt::format("moved by {} samples of {}, {}", motion.series.time.size(), motion.file, start);
@@ -32,7 +32,7 @@ std::string check_text(const Scene& scene) {
       "  method  {} preset, kernel {}, spacing {:g} m: {:.0f} fluid particles\n"
       "  run     {:g} s{} at {:g} frames a second\n",
       scene.file, p.tank.length, p.tank.height, width, p.tank.closed ? "closed" : "open", p.fluid.depth,
-      motion_text(p.motion), p.preset, p.method.kernel, l0, particles, p.time.end, step, scene.output.frame_rate);
+      motion_text(p.motion), name(p.preset), p.method.kernel, l0, particles, p.time.end, step, scene.output.frame_rate);
 }
 
 }  // namespace seiche::apps

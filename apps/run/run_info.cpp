@@ -15,7 +15,7 @@ RunInfo run_info(const Scene& scene) {
   info.scene_hash = scene_hash(scene);
   info.parameters = scene_text(scene);
   info.kernel = p.method.kernel;
-  info.preset = p.preset;
+  info.preset = name(p.preset);
   info.dimension = p.dimension();
   info.tank = {p.tank.length, p.tank.height, p.tank.width};
   info.closed = p.tank.closed;

@@ -22,6 +22,21 @@ Choices kernels() {
 
 Choices quantities() { return {render::quantity_names().begin(), render::quantity_names().end()}; }
 
+template <class E>
+Choices names() {
+  Choices all;
+  for (const Choice<E>& row : ChoiceTable<E>::rows) all.push_back(row.name);
+  return all;
+}
+
+// The access to an enum of the scene by its values' names.
+template <auto member>
+Chosen chosen() {
+  using E = std::remove_cvref_t<decltype(member(std::declval<Scene&>()))>;
+  return {[](const Scene& s) { return std::string(name(member(s))); },
+          [](Scene& s, std::string_view text) { member(s) = value_named<E>(text); }};
+}
+
 std::string get_size(const Scene& s) { return fmt::format("{}x{}", s.look.width, s.look.height); }
 
 void set_size(Scene& s, const std::string& text) {
@@ -57,9 +72,12 @@ const Written curves{get_curves, set_curves, "auto, none, or up to 3 sensors, as
 
 // clang-format off: one key a line reads as the table that it is
 #define AT(member) +[](Scene& s) -> decltype((s.member)) { return s.member; }
+#define CHOICE(member)                               \
+  chosen < [](auto& s) -> auto& { return s.member; } \
+  > (), names<decltype(Scene().member)>()
 const std::vector<Option>& options() {
   static const std::vector<Option> table{
-      {"", "preset", "", AT(parameters.preset), Choices{"stabilised", "paper"},
+      {"", "preset", "", CHOICE(parameters.preset),
        "scheme that [method], pressure.solver and courant start from: the paper's, or one that keeps the pressure "
        "smooth"},
       {"", "gravity", "m/s^2", AT(parameters.gravity), Range{0, 100, true}, "downwards"},
@@ -92,7 +110,7 @@ const std::vector<Option>& options() {
       {"motion", "pivot_x", "m", AT(parameters.motion.pivot_x), Range{-huge, huge},
        "of the point that roll turns about, from the left wall"},
       {"motion", "pivot_y", "m", AT(parameters.motion.pivot_y), Range{-huge, huge}, "the same, from the floor"},
-      {"motion", "start", "", AT(parameters.motion.start), Choices{"impulsive", "smooth"},
+      {"motion", "start", "", CHOICE(parameters.motion.start),
        "at t = 0 the liquid is at rest in the lab, or moves with the tank"},
 
       {"sensors", "force", "", AT(parameters.sensors.force), {}, "force on the walls, and moment about the pivot"},
@@ -112,26 +130,24 @@ const std::vector<Option>& options() {
        "r_e of the Laplacian"},
       {"method", "surface_beta", "", AT(parameters.method.surface_beta), Range{0, 1, true},
        "beta of equation (11): free surface where n < beta n0"},
-      {"method", "order", "", AT(parameters.method.order), Choices{"project-first", "move-first"},
+      {"method", "order", "", CHOICE(parameters.method.order),
        "whether particles move after or before the pressure solve"},
-      {"method", "source", "", AT(parameters.method.source), Choices{"mixed", "density"},
+      {"method", "source", "", CHOICE(parameters.method.source),
        "right-hand side of the pressure equation; density: equation (10)"},
-      {"method", "gradient", "", AT(parameters.method.gradient), Choices{"corrected", "minimum", "plain"},
-       "pressure gradient; plain: equation (4)"},
-      {"method", "surface", "", AT(parameters.method.surface), Choices{"density-and-count", "density"},
-       "test for the free surface; density: equation (11)"},
-      {"method", "separation", "", AT(parameters.method.separation), Choices{"collide", "part", "none"},
+      {"method", "gradient", "", CHOICE(parameters.method.gradient), "pressure gradient; plain: equation (4)"},
+      {"method", "surface", "", CHOICE(parameters.method.surface), "test for the free surface; density: equation (11)"},
+      {"method", "separation", "", CHOICE(parameters.method.separation),
        "of pairs that come too near; part: the additional modification"},
       {"method", "separation_distance", "l0", AT(parameters.method.separation_distance), Range{0, 1},
        "pairs nearer than this are separated"},
       {"method", "shift", "sqrt(g H)/l0", AT(parameters.method.shift), Range{0, 2},
        "rate of particle shifting; 0: none"},
-      {"method", "viscous", "", AT(parameters.method.viscous), Choices{"strain-rate", "laplacian"},
-       "form of the viscous term; laplacian: equation (5)"},
-      {"method", "wall", "", AT(parameters.method.wall), Choices{"free-slip", "no-slip"},
-       "what walls do to the viscous term"},
+      {"method", "viscous", "", CHOICE(parameters.method.viscous), "form of the viscous term; laplacian: equation (5)"},
+      {"method", "walls", "", CHOICE(parameters.method.walls),
+       "what bounds the liquid in the pressure equation; particles: the paper's"},
+      {"method", "wall", "", CHOICE(parameters.method.wall), "what walls do to the viscous term"},
 
-      {"pressure", "solver", "", AT(parameters.pressure.solver), Choices{"amg", "iccg", "sor", "cholmod"},
+      {"pressure", "solver", "", CHOICE(parameters.pressure.solver),
        "of the pressure equation; amg with preset stabilised, iccg with paper"},
       {"pressure", "tolerance", "", AT(parameters.pressure.tolerance), Range{0, 0.1, true},
        "relative residual at which an iterative solver stops"},
@@ -181,6 +197,7 @@ const std::vector<Option>& options() {
   return table;
 }
 #undef AT
+#undef CHOICE
 // clang-format on
 
 }  // namespace seiche::apps

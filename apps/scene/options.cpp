@@ -19,11 +19,19 @@ std::optional<std::string> assign_written(const Option& option, const Written& w
   return {};
 }
 
+std::optional<std::string> assign_chosen(const Option& option, const Chosen& chosen, Scene& scene, const Value& value) {
+  std::string text;
+  if (auto complaint = put(value, {&text, option.rule, title(option), expected(option)})) return complaint;
+  chosen.set(scene, text);
+  return {};
+}
+
 // The member behind the key; nothing where it has a written form of its own.
 std::optional<Target> target(const Option& option, Scene& scene) {
   return std::visit(
       [&](const auto& access) -> std::optional<Target> {
-        if constexpr (std::is_same_v<std::decay_t<decltype(access)>, Written>)
+        using Access = std::decay_t<decltype(access)>;
+        if constexpr (std::is_same_v<Access, Written> || std::is_same_v<Access, Chosen>)
           return {};
         else
           return &access(scene);
@@ -67,11 +75,13 @@ std::optional<std::string> assign(const Option& option, Scene& scene, const Valu
   if (const auto* written = std::get_if<Written>(&option.access)) {
     return assign_written(option, *written, scene, value);
   }
+  if (const auto* chosen = std::get_if<Chosen>(&option.access)) return assign_chosen(option, *chosen, scene, value);
   return put(value, {*target(option, scene), option.rule, title(option), expected(option)});
 }
 
 Value value_of(const Option& option, const Scene& scene) {
   if (const auto* written = std::get_if<Written>(&option.access)) return written->get(scene);
+  if (const auto* chosen = std::get_if<Chosen>(&option.access)) return chosen->get(scene);
   Scene copy = scene;  // The table reaches members for writing only; one copy a key is cheap.
   return value_in(*target(option, copy));
 }

@@ -18,10 +18,16 @@ struct Written {
   std::string_view form;  ///< what is expected, as in "width x height in pixels"
 };
 
+/// An enum, by the names of its values. `set` takes one of the option's Choices.
+struct Chosen {
+  std::string (*get)(const Scene&);
+  void (*set)(Scene&, std::string_view);
+};
+
 /// One key of a scene file.
 struct Option {
   using Access =
-      std::variant<double& (*)(Scene&), int& (*)(Scene&), bool& (*)(Scene&), std::string& (*)(Scene&), Written>;
+      std::variant<double& (*)(Scene&), int& (*)(Scene&), bool& (*)(Scene&), std::string& (*)(Scene&), Chosen, Written>;
   std::string_view section;  ///< empty: above the first [section]
   std::string_view key;
   std::string_view unit;  ///< empty: none

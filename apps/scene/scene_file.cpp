@@ -14,7 +14,8 @@
 #include "apps/scene/motion_file.hpp"
 #include "apps/scene/references.hpp"
 #include "apps/scene/toml_settings.hpp"
-#include "solver/make_simulation.hpp"
+#include "solver/check_parameters.hpp"
+#include "solver/preset.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -53,7 +54,7 @@ Scene assemble(const Settings& all, std::vector<Complaint>& complaints) {
   for (const Setting& setting : settings) {
     if (is_preset(setting)) put(setting);
   }
-  const std::string preset = scene.parameters.preset;
+  const Preset preset = scene.parameters.preset;
   apply_preset(scene.parameters, preset);
   for (const Setting& setting : settings) {
     if (!is_preset(setting)) put(setting);

@@ -8,6 +8,7 @@
 #include "apps/run/loop.hpp"
 #include "apps/run/run_info.hpp"
 #include "apps/scene/scene_file.hpp"
+#include "solver/make_simulation.hpp"
 
 namespace seiche::validate {
 namespace {

@@ -9,8 +9,8 @@
 #include "apps/scene/scene.hpp"
 #include "apps/validate/series.hpp"
 #include "solver/frame.hpp"
-#include "solver/make_simulation.hpp"
 #include "solver/run_info.hpp"
+#include "solver/statistics.hpp"
 
 namespace seiche::validate {
 

@@ -36,8 +36,8 @@ Motion::Motion(const Parameters::Motion& m)
       roll_(course(m, "roll", m.series.roll, degree)),
       pivot_x_(m.pivot_x),
       pivot_y_(m.pivot_y),
-      spin_(m.start == "impulsive" ? 0 : roll_.at(0).rate),
-      impulsive_(m.start == "impulsive") {}
+      spin_(m.start == Start::impulsive ? 0 : roll_.at(0).rate),
+      impulsive_(m.start == Start::impulsive) {}
 
 bool Motion::jumps() const { return impulsive_ && (surge(0).rate != 0 || heave(0).rate != 0 || roll(0).rate != 0); }
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/IterativeLinearSolvers>
-#include <stdexcept>
 
 #include "solver/pressure/amg/amg_solver.hpp"
 
@@ -81,12 +80,18 @@ class Cholmod : public PressureSolver {
 
 }  // namespace
 
-std::unique_ptr<PressureSolver> make_pressure_solver(const std::string& name, double tolerance, int max_iterations) {
-  if (name == "amg") return std::make_unique<AmgSolver>(tolerance, max_iterations);
-  if (name == "iccg") return std::make_unique<Iccg>(tolerance, max_iterations);
-  if (name == "sor") return std::make_unique<Sor>(tolerance, max_iterations);
-  if (name == "cholmod") return std::make_unique<Cholmod>();
-  throw std::invalid_argument("no pressure solver is called '" + name + "'; there are amg, iccg, sor and cholmod");
+std::unique_ptr<PressureSolver> make_pressure_solver(SolverName name, double tolerance, int max_iterations) {
+  switch (name) {
+    case SolverName::iccg:
+      return std::make_unique<Iccg>(tolerance, max_iterations);
+    case SolverName::sor:
+      return std::make_unique<Sor>(tolerance, max_iterations);
+    case SolverName::cholmod:
+      return std::make_unique<Cholmod>();
+    case SolverName::amg:
+      break;
+  }
+  return std::make_unique<AmgSolver>(tolerance, max_iterations);
 }
 
 std::string cholmod_version() {

@@ -1,14 +1,10 @@
 #pragma once
-#include <Eigen/SparseCore>
 #include <vector>
 
 #include "solver/pressure/boundary.hpp"
+#include "solver/pressure/sparse_matrix.hpp"
 
 namespace seiche::solver {
-
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
-using SparseView = Eigen::Map<const SparseMatrix>;
-using VectorView = Eigen::Map<Eigen::VectorXd>;
 
 /// The pressure equation (10) as A p = b, A sparse, symmetric, positive definite. Both sides of equation (10) are
 /// multiplied by -lambda n0/(2d), so that row i reads  sum_j w_ij (p_i - p_j) + c p_i = b_i.

@@ -26,7 +26,7 @@ struct Source {
   double dt;       ///< [s]
 
   Source(const Parameters& p, double step)
-      : mixed(p.method.source == "mixed"),
+      : mixed(p.method.source == SourceTerm::mixed),
         density(p.fluid.density),
         rate(0.1 * std::sqrt(p.gravity * p.fluid.depth) / p.particles.spacing),
         dt(step) {}

@@ -13,6 +13,7 @@
 #include "solver/operators/strain_rate.hpp"
 #include "solver/operators/volume.hpp"
 #include "solver/pressure/pressure_solver.hpp"
+#include "solver/pressure/pressure_system.hpp"
 #include "solver/pressure/source.hpp"
 #include "solver/pressure/surface_pressure.hpp"
 #include "solver/sensors/sensors.hpp"
@@ -77,8 +78,7 @@ class Mps final : public Simulation {
   void take_out_lost();
   void start_at_rest_in_lab();
 
-  /// Walls bound the pressure as ghosts in the stabilised order, as particles with pressures in the paper's.
-  bool ghost_walls() const { return p_.method.order == "project-first"; }
+  bool ghost_walls() const { return p_.method.walls == WallModel::ghosts; }
 
   /// Calls f(i) for every fluid particle.
   template <class F>

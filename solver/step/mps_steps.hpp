@@ -1,4 +1,5 @@
 #pragma once
+#include "solver/pressure/boundary.hpp"
 #include "solver/step/mps.hpp"
 
 // The steps of Mps, apart from the class so that each dimension is compiled once, in its own file.
@@ -57,7 +58,7 @@ void Mps<D>::step(double until) {
     const Stage stage(totals_.seconds["sensors"]);
     sensors_.before_step(s_, end);
   }
-  if (p_.method.order == "move-first")
+  if (p_.method.order == Order::move_first)
     step_move_first(dt);
   else
     step_project_first(dt);
@@ -114,8 +115,8 @@ void Mps<D>::step_project_first(double dt) {
 template <int D>
 void Mps<D>::predict(double dt) {
   const Stage stage(totals_.seconds["explicit"]);
-  const bool slip = p_.method.wall == "free-slip";
-  if (p_.method.viscous == "laplacian")
+  const bool slip = p_.method.wall == WallSlip::free;
+  if (p_.method.viscous == ViscousModel::laplacian)
     velocity_laplacian(*laplacian_range_.pairs, laplacian_range_.ref, slip, s_, viscous_);
   else
     strain_rate_divergence(*laplacian_range_.pairs, laplacian_range_.ref, slip, s_, viscous_);
@@ -171,7 +172,7 @@ void Mps<D>::find_surface() {
   const Stage stage(totals_.seconds["density"]);
   if (ghost_walls()) wetness_(*density_range_.pairs, density_range_.ref.n0, s_);
   number_density(*density_range_.pairs, s_, n_, count_);
-  const double share = p_.method.surface == "density" ? 0 : count_share;
+  const double share = p_.method.surface == SurfaceTest::density ? 0 : count_share;
   mark_free_surface(density_range_.ref, p_.method.surface_beta, share, n_, count_, s_.kind, s_.surface);
   mark_near_surface(*density_range_.pairs, s_, near_);
 }
@@ -240,10 +241,10 @@ void Mps<D>::solve_system() {
   totals_.last_residual = report.residual;
   totals_.worst_residual = std::max(totals_.worst_residual, report.residual);
   if (!report.converged)
-    throw RunFailure(
-        fmt::format("stopped at t = {:.4f} s, step {}: the pressure solver '{}' did not converge ({} iterations, "
-                    "relative residual {:.2g}, asked for {:.2g})",
-                    s_.time, s_.step, p_.pressure.solver, report.iterations, report.residual, p_.pressure.tolerance));
+    throw RunFailure(fmt::format(
+        "stopped at t = {:.4f} s, step {}: the pressure solver '{}' did not converge ({} iterations, "
+        "relative residual {:.2g}, asked for {:.2g})",
+        s_.time, s_.step, name(p_.pressure.solver), report.iterations, report.residual, p_.pressure.tolerance));
 }
 
 /// u = u* - dt/rho grad p, equations (15) and (16); leaves the change of velocity in `change_`.
@@ -254,9 +255,9 @@ void Mps<D>::correct_velocity(double dt) {
     pressure_gradient(model, *gradient_range_.pairs, gradient_range_.ref.n0, ghost_walls() ? &slope_ : nullptr, s_,
                       change_);
   };
-  if (p_.method.gradient == "corrected") gradient(CorrectedGradient{});
-  if (p_.method.gradient == "minimum") gradient(MinimumGradient{});
-  if (p_.method.gradient == "plain") gradient(PlainGradient{});
+  if (p_.method.gradient == GradientModel::corrected) gradient(CorrectedGradient{});
+  if (p_.method.gradient == GradientModel::minimum) gradient(MinimumGradient{});
+  if (p_.method.gradient == GradientModel::plain) gradient(PlainGradient{});
   each_fluid([&](int i) {
     change_[i] *= -dt / p_.fluid.density;
     if (ghost_walls()) change_[i] += dt * force_[i];
@@ -268,8 +269,9 @@ template <int D>
 void Mps<D>::separate() {
   const Stage stage(totals_.seconds["separate"]);
   const double distance = p_.method.separation_distance * l0_;
-  if (p_.method.separation == "part") part_close_pairs(distance, list_, s_, change_);
-  if (p_.method.separation == "collide") collide_close_pairs(distance, l0_, near_, list_, s_, collisions_, change_);
+  if (p_.method.separation == SeparationModel::part) part_close_pairs(distance, list_, s_, change_);
+  if (p_.method.separation == SeparationModel::collide)
+    collide_close_pairs(distance, l0_, near_, list_, s_, collisions_, change_);
 }
 
 /// Removes fluid that went through a wall or over the rim, and counts it.

@@ -49,7 +49,7 @@ struct Box {
 /// Longest support that an operator has [l0].
 inline double longest_support(const Parameters::Method& m) {
   const double longest = std::max({m.radius_density, m.radius_gradient, m.radius_laplacian});
-  return m.source == "mixed" ? std::max(longest, VolumeKernel::radius) : longest;
+  return m.source == SourceTerm::mixed ? std::max(longest, VolumeKernel::radius) : longest;
 }
 
 /// Layers of particles outside the wall's surface: one of wall particles, and dummies enough to fill the longest

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "solver/particles/chunks.hpp"
-#include "solver/pressure/sparse_row.hpp"
+#include "solver/pressure/amg/sparse_row.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/stirred_tank.hpp"
 

@@ -2,14 +2,13 @@
 #include <benchmark/benchmark.h>
 #include <omp.h>
 
-#include "apps/scene/options.hpp"
 #include "solver/pressure/pressure_solver.hpp"
 #include "tests/bench/stirred_tank.hpp"
 
 namespace seiche::bench {
 namespace {
 
-void solve(benchmark::State& state, const std::string& name) {
+void solve(benchmark::State& state, SolverName name) {
   StirredTank& tank = stirred_tank(static_cast<int>(state.range(0)));
   omp_set_num_threads(static_cast<int>(state.range(1)));
   Eigen::VectorXd b = tank.pressure.right();  // a still tank's, and a source that isn't smooth
@@ -28,9 +27,9 @@ void solve(benchmark::State& state, const std::string& name) {
 
 // Those whose work grows faster than the tank only get the small one.
 const bool registered = [] {
-  for (std::string_view name : std::get<apps::Choices>(apps::find_option("pressure", "solver")->rule)) {
-    const bool grows = name == "sor" || name == "cholmod";
-    benchmark::RegisterBenchmark(("solve_" + std::string(name)).c_str(), solve, std::string(name))
+  for (const auto& [choice, name, help] : ChoiceTable<SolverName>::rows) {
+    const bool grows = choice == SolverName::sor || choice == SolverName::cholmod;
+    benchmark::RegisterBenchmark(("solve_" + std::string(name)).c_str(), solve, choice)
         ->ArgNames({"particles", "threads"})
         ->ArgsProduct({grows ? std::vector<std::int64_t>{12000} : std::vector<std::int64_t>{12000, 200000}, {1, 2}})
         ->UseRealTime()

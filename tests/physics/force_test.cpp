@@ -16,7 +16,7 @@ std::size_t column(const Parameters& p, const std::string& name) {
 // The walls are all that moves the water sideways, so the momentum that they take from it over some time is what the
 // water has lost in the lab; and in the mean they carry its weight.
 TEST(WallForce, BalancesTheMomentumOfTheWater) {
-  const Parameters p = pan2008("stabilised", 0.01);
+  const Parameters p = pan2008(Preset::stabilised, 0.01);
   const auto simulation = make_simulation(p, 0.001);
   const std::size_t columns = sensor_columns(p).size(), fx = column(p, "force_x [N/m]"), fy = fx + 1;
   const double mass = p.fluid.density * p.tank.length * p.fluid.depth, w = 2 * M_PI * p.motion.frequency;

@@ -8,7 +8,7 @@ namespace seiche::physics {
 namespace {
 
 double lasts_until(const std::string& kernel, double end) {
-  Parameters p = pan2008("paper", 0.01);
+  Parameters p = pan2008(Preset::paper, 0.01);
   p.method.kernel = kernel;
   const auto simulation = make_simulation(p, 0);
   try {

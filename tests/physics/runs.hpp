@@ -5,11 +5,12 @@
 #include <memory>
 
 #include "solver/make_simulation.hpp"
+#include "solver/preset.hpp"
 
 namespace seiche::physics {
 
 /// The tank of Pan, Zhang and Lu (2008): 0.6 m x 0.2 m of water, surge of 5 mm at 1 Hz, impulsive start.
-inline Parameters pan2008(const std::string& preset, double spacing) {
+inline Parameters pan2008(Preset preset, double spacing) {
   Parameters p;
   apply_preset(p, preset);
   p.motion = {.type = "surge", .amplitude = 0.005, .frequency = 1.0};

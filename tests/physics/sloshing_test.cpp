@@ -32,7 +32,7 @@ struct Crest {
 // water is known far better: its centre of mass must follow theory within 2 % of its greatest displacement, all the
 // time.
 TEST(Sloshing, FollowsPotentialTheory) {
-  const Parameters p = pan2008("stabilised", 0.005);
+  const Parameters p = pan2008(Preset::stabilised, 0.005);
   const auto simulation = make_simulation(p, 0.001);
   const std::size_t columns = sensor_columns(p).size();
   Crest right{2, 0.4, 0.7}, left{1, 0.9, 1.2};

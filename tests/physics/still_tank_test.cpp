@@ -59,8 +59,8 @@ TEST(StillTank, KeepsHydrostaticPressureIn3D) {
 // The pressure solvers are four ways to one answer.
 TEST(StillTank, IsTheSameForEveryPressureSolver) {
   FramePtr exact;
-  for (const char* solver : {"cholmod", "amg", "iccg", "sor"}) {
-    Parameters p = pan2008("stabilised", 0.02);
+  for (const SolverName solver : {SolverName::cholmod, SolverName::amg, SolverName::iccg, SolverName::sor}) {
+    Parameters p = pan2008(Preset::stabilised, 0.02);
     p.pressure.solver = solver;
     p.pressure.tolerance = 1e-10;
     p.pressure.max_iterations = 20000;
@@ -68,7 +68,8 @@ TEST(StillTank, IsTheSameForEveryPressureSolver) {
     while (simulation->time() < 0.05) simulation->step(0.05);
     const FramePtr frame = simulation->frame(1);
     if (!exact) exact = frame;
-    for (std::size_t i = 0; i < frame->size(); ++i) EXPECT_NEAR(frame->pressure[i], exact->pressure[i], 0.05) << solver;
+    for (std::size_t i = 0; i < frame->size(); ++i)
+      EXPECT_NEAR(frame->pressure[i], exact->pressure[i], 0.05) << name(solver);
   }
 }
 

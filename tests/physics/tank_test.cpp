@@ -39,7 +39,7 @@ std::array<double, 2> after_jump(double x, double y, double length, double depth
 }
 
 double start_error(double spacing) {
-  const Parameters p = pan2008("stabilised", spacing);
+  const Parameters p = pan2008(Preset::stabilised, spacing);
   const double jump = p.motion.amplitude * 2 * M_PI * p.motion.frequency;
   const auto frame = make_simulation(p, 0)->frame(0);
   double sum = 0;
@@ -59,8 +59,8 @@ TEST(Start, ImpulsiveConvergesToPotentialTheory) {
 }
 
 TEST(Start, SmoothLeavesTheWaterAtRestInTheTank) {
-  Parameters p = pan2008("stabilised", 0.02);
-  p.motion.start = "smooth";
+  Parameters p = pan2008(Preset::stabilised, 0.02);
+  p.motion.start = Start::smooth;
   EXPECT_EQ(fastest(*make_simulation(p, 0)->frame(0)), 0);
 }
 

@@ -1,5 +1,7 @@
 #include "solver/pressure/amg/aggregation.hpp"
 
+#include "solver/particles/kept.hpp"
+
 namespace seiche::solver {
 namespace {
 

@@ -1,5 +1,7 @@
 #include "solver/pressure/amg/amg.hpp"
 
+#include "solver/particles/kept.hpp"
+
 namespace seiche::solver {
 
 void Amg::set_up(const SparseView& a) {

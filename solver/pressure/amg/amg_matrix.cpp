@@ -1,5 +1,7 @@
 #include "solver/pressure/amg/amg_matrix.hpp"
 
+#include "solver/particles/kept.hpp"
+
 namespace seiche::solver {
 
 void AmgMatrix::keep_strong(const SparseView& a) {

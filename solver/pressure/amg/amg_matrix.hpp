@@ -1,7 +1,7 @@
 #pragma once
 #include "solver/particles/chunks.hpp"
-#include "solver/pressure/pressure_system.hpp"
-#include "solver/pressure/sparse_row.hpp"
+#include "solver/pressure/amg/sparse_row.hpp"
+#include "solver/pressure/sparse_matrix.hpp"
 
 namespace seiche::solver {
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "solver/particles/kept.hpp"
+
 namespace seiche::solver {
 namespace {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "solver/pressure/amg/amg.hpp"
-#include "solver/pressure/pressure_solver.hpp"
+#include "solver/pressure/linear_solver.hpp"
 
 namespace seiche::solver {
 

@@ -2,6 +2,8 @@
 
 #include <omp.h>
 
+#include "solver/particles/kept.hpp"
+
 namespace seiche::solver {
 
 void Galerkin::form(const AmgMatrix& a, const Aggregates& p, AmgMatrix& coarse) {

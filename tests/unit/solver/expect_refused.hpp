@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/make_simulation.hpp"
+#include "solver/check_parameters.hpp"
 
 namespace seiche::test {
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "solver/make_simulation.hpp"
+#include "solver/preset.hpp"
 #include "tests/unit/solver/surging.hpp"
 
 namespace seiche {
@@ -30,7 +31,7 @@ TEST_P(SimulationIn, StartsFromTheWholeTank) {
 }
 
 TEST_P(SimulationIn, StepsLandExactlyOnUntil) {
-  for (const char* preset : {"paper", "stabilised"}) {
+  for (const Preset preset : {Preset::paper, Preset::stabilised}) {
     Parameters p = surging(GetParam());
     apply_preset(p, preset);
     const auto simulation = make_simulation(p, 0.001);
@@ -41,7 +42,7 @@ TEST_P(SimulationIn, StepsLandExactlyOnUntil) {
         ASSERT_GT(simulation->time(), last);
         last = simulation->time();
       }
-      EXPECT_EQ(simulation->time(), until) << preset;
+      EXPECT_EQ(simulation->time(), until) << name(preset);
     }
     const FramePtr frame = simulation->frame(3);
     EXPECT_EQ(frame->time, 0.02);
@@ -90,7 +91,7 @@ TEST_P(SimulationIn, StepsOfTheScenesOwnAreAllEqual) {
 }
 
 TEST_P(SimulationIn, TheSameRunGivesTheSameBytesForEveryNumberOfThreads) {
-  for (const char* preset : {"paper", "stabilised"}) {
+  for (const Preset preset : {Preset::paper, Preset::stabilised}) {
     Parameters p = surging(GetParam());
     apply_preset(p, preset);
     FramePtr frames[2];
@@ -100,13 +101,13 @@ TEST_P(SimulationIn, TheSameRunGivesTheSameBytesForEveryNumberOfThreads) {
       while (simulation->time() < 0.05) simulation->step(0.05);
       frame = simulation->frame(1);
     }
-    EXPECT_EQ(frames[0]->position, frames[1]->position) << preset;
-    EXPECT_EQ(frames[0]->velocity, frames[1]->velocity) << preset;
-    EXPECT_EQ(frames[0]->pressure, frames[1]->pressure) << preset;
-    EXPECT_EQ(frames[0]->number_density, frames[1]->number_density) << preset;
-    EXPECT_EQ(frames[0]->free_surface, frames[1]->free_surface) << preset;
-    EXPECT_EQ(frames[0]->id, frames[1]->id) << preset;
-    EXPECT_EQ(frames[0]->readings.values, frames[1]->readings.values) << preset;
+    EXPECT_EQ(frames[0]->position, frames[1]->position) << name(preset);
+    EXPECT_EQ(frames[0]->velocity, frames[1]->velocity) << name(preset);
+    EXPECT_EQ(frames[0]->pressure, frames[1]->pressure) << name(preset);
+    EXPECT_EQ(frames[0]->number_density, frames[1]->number_density) << name(preset);
+    EXPECT_EQ(frames[0]->free_surface, frames[1]->free_surface) << name(preset);
+    EXPECT_EQ(frames[0]->id, frames[1]->id) << name(preset);
+    EXPECT_EQ(frames[0]->readings.values, frames[1]->readings.values) << name(preset);
     const auto moved = make_simulation(p, 0)->frame(0);
     EXPECT_NE(frames[0]->position, moved->position) << "the water moves at all";
   }
@@ -127,10 +128,10 @@ TEST_P(SimulationIn, WallsStandStillInTheTanksFrame) {
 
 TEST_P(SimulationIn, TheImpulsiveStartOfThePaperIsTheTanksVelocity) {
   Parameters p = surging(GetParam());
-  apply_preset(p, "paper");
+  apply_preset(p, Preset::paper);
   const float speed = static_cast<float>(0.01 * 2 * std::numbers::pi * 2);
   for (const bool impulsive : {true, false}) {
-    p.motion.start = impulsive ? "impulsive" : "smooth";
+    p.motion.start = impulsive ? Start::impulsive : Start::smooth;
     const FramePtr frame = make_simulation(p, 0)->frame(0);
     for (std::size_t k = 0; k < frame->size(); ++k) {
       const bool moves = impulsive && frame->kind[k] == Kind::fluid;
@@ -141,7 +142,7 @@ TEST_P(SimulationIn, TheImpulsiveStartOfThePaperIsTheTanksVelocity) {
 
 TEST_P(SimulationIn, TheImpulsiveStartOfARollTurnsAboutThePivot) {
   Parameters p = surging(GetParam());
-  apply_preset(p, "paper");
+  apply_preset(p, Preset::paper);
   p.motion = {.type = "roll", .amplitude = 3, .frequency = 2, .pivot_x = 0.03, .pivot_y = -0.02};
   const auto simulation = make_simulation(p, 0);
   const FramePtr frame = simulation->frame(0);

@@ -32,15 +32,16 @@ TEST(SceneFile, KeysReachTheirMembers) {
 
 TEST(SceneFile, ThePresetComesFirstWhereverItIsSet) {
   const Parameters p = parse_scene("preset = \"paper\"\n[method]\nkernel = \"KF5\"\n", "x.toml", {}).parameters;
-  EXPECT_EQ(p.preset, "paper");
-  EXPECT_EQ(p.method.source, "density");
+  EXPECT_EQ(p.preset, Preset::paper);
+  EXPECT_EQ(p.method.source, SourceTerm::density);
   EXPECT_EQ(p.method.kernel, "KF5");
-  EXPECT_EQ(p.pressure.solver, "iccg");
+  EXPECT_EQ(p.pressure.solver, SolverName::iccg);
   EXPECT_EQ(parse_scene("preset = \"paper\"\n[pressure]\nsolver = \"amg\"\n", "x.toml", {}).parameters.pressure.solver,
-            "amg");
+            SolverName::amg);
 
   const Override preset{"--set preset=paper", "preset", "paper"};
-  EXPECT_EQ(parse_scene("[method]\nsource = \"mixed\"\n", "x.toml", {preset}).parameters.method.source, "mixed");
+  EXPECT_EQ(parse_scene("[method]\nsource = \"mixed\"\n", "x.toml", {preset}).parameters.method.source,
+            SourceTerm::mixed);
 }
 
 TEST(SceneFile, TheLastOverrideWins) {

@@ -55,7 +55,7 @@ TEST(RollTheory, RefusesOtherMotions) {
   p.motion.type = "surge";
   EXPECT_THROW(roll_elevation(p, 0.01, 1), std::invalid_argument);
   p = rolling(0.5, 0.8);
-  p.motion.start = "smooth";
+  p.motion.start = Start::smooth;
   EXPECT_THROW(roll_elevation(p, 0.01, 1), std::invalid_argument);
 }
 

@@ -39,7 +39,7 @@ TEST(Surge, StartsFromTheMiddleAtFullSpeed) {
 
 TEST(Surge, JumpsUnlessItStartsSmoothlyOrFromItsTurningPoint) {
   EXPECT_TRUE(surge.jumps());
-  EXPECT_FALSE(Motion({.type = "surge", .amplitude = 1, .frequency = 1, .start = "smooth"}).jumps());
+  EXPECT_FALSE(Motion({.type = "surge", .amplitude = 1, .frequency = 1, .start = Start::smooth}).jumps());
   EXPECT_FALSE(Motion({.type = "surge", .amplitude = 1, .frequency = 1, .ramp = 1}).jumps());
   EXPECT_FALSE(Motion({.type = "none", .amplitude = 1, .frequency = 1}).jumps());
 }

@@ -8,7 +8,7 @@ namespace seiche::solver {
 namespace {
 
 /// The pressure equation of a tank at rest, with a source that isn't smooth on the right-hand side.
-struct Solvers : ::testing::TestWithParam<std::string> {
+struct Solvers : ::testing::TestWithParam<SolverName> {
   PressureSystem<2> system;
   Eigen::VectorXd b, exact;
 
@@ -19,7 +19,7 @@ struct Solvers : ::testing::TestWithParam<std::string> {
     b = system.right();
     for (int k = 0; k < b.size(); ++k) b[k] += 10 * std::sin(k);
     exact = Eigen::VectorXd::Zero(b.size());
-    EXPECT_TRUE(make_pressure_solver("cholmod", 0, 0)->solve(system.matrix(), b, exact).converged);
+    EXPECT_TRUE(make_pressure_solver(SolverName::cholmod, 0, 0)->solve(system.matrix(), b, exact).converged);
   }
 
   double residual(const Eigen::VectorXd& x) const { return (b - system.matrix() * x).norm() / b.norm(); }
@@ -27,10 +27,11 @@ struct Solvers : ::testing::TestWithParam<std::string> {
 
 struct IterativeSolvers : Solvers {};
 
-INSTANTIATE_TEST_SUITE_P(, IterativeSolvers, ::testing::Values("amg", "iccg", "sor"),
-                         [](const auto& test) { return test.param; });
-INSTANTIATE_TEST_SUITE_P(, Solvers, ::testing::Values("amg", "iccg", "sor", "cholmod"),
-                         [](const auto& test) { return test.param; });
+INSTANTIATE_TEST_SUITE_P(, IterativeSolvers, ::testing::Values(SolverName::amg, SolverName::iccg, SolverName::sor),
+                         [](const auto& test) { return std::string(name(test.param)); });
+INSTANTIATE_TEST_SUITE_P(, Solvers,
+                         ::testing::Values(SolverName::amg, SolverName::iccg, SolverName::sor, SolverName::cholmod),
+                         [](const auto& test) { return std::string(name(test.param)); });
 
 TEST_P(Solvers, FindTheExactAnswer) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
@@ -97,16 +98,6 @@ TEST_P(Solvers, CanBeUsedAgainOnAnotherSystem) {
   EXPECT_TRUE(solver->solve(view, Eigen::Vector2d(0, 3), x).converged);
   EXPECT_NEAR(x[0], 1, 1e-9);
   EXPECT_NEAR(x[1], 2, 1e-9);
-}
-
-TEST(PressureSolver, OfAnotherNameIsRefusedWithTheNamesThereAre) {
-  try {
-    make_pressure_solver("iccgg", 1e-4, 10);
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    for (const char* word : {"'iccgg'", "amg", "iccg", "sor", "cholmod"})
-      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
-  }
 }
 
 }  // namespace

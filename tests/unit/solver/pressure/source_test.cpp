@@ -5,15 +5,15 @@
 namespace seiche::solver {
 namespace {
 
-Source source(const std::string& name) {
+Source of_the_density() {
   Parameters p;
-  p.method.source = name;
+  p.method.source = SourceTerm::density;
   p.fluid.density = 800;
   return Source(p, 0.01);
 }
 
 TEST(Source, OfTheDensityIsEquation10) {
-  const Source density = source("density");
+  const Source density = of_the_density();
   EXPECT_DOUBLE_EQ(density(7, 0.05, false), 800 * 0.05 / 1e-4);
   EXPECT_DOUBLE_EQ(density(7, -0.05, true), -800 * 0.05 / 1e-4) << "the divergence and the surface don't matter";
 }
@@ -21,7 +21,7 @@ TEST(Source, OfTheDensityIsEquation10) {
 // The rate of the density term is 0.1 sqrt(g H)/l0: with g H = 4 m^2/s^2 and l0 = 0.01 m it is 20 per second.
 Source mixed(double dt) {
   Parameters p;
-  p.method.source = "mixed";
+  p.method.source = SourceTerm::mixed;
   p.fluid.density = 800;
   p.gravity = 8;
   p.fluid.depth = 0.5;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/make_simulation.hpp"
 #include "tests/unit/solver/expect_refused.hpp"
 
 namespace seiche {

@@ -25,7 +25,7 @@ TYPED_TEST(Snapshot, HasEveryArrayInTheOrderOfTheIds) {
   for (std::size_t i = 0; i < s.size(); ++i) density[i] = 2 * s.position[i][1];
   s.time = 0.125;
   s.step = 9;
-  const Motion motion({.type = "surge", .amplitude = 0.1, .frequency = 1, .start = "smooth"});
+  const Motion motion({.type = "surge", .amplitude = 0.1, .frequency = 1, .start = Start::smooth});
   const auto frame = snapshot(s, density, 2, motion);
 
   EXPECT_EQ(frame->id, (std::vector<std::uint32_t>{0, 2, 3, 4}));

@@ -19,7 +19,7 @@ struct WatchOf : ::testing::Test {
 
   static Parameters parameters() {
     Parameters p = test::small_tank<D>();
-    p.motion = {.type = "surge", .amplitude = 0.1, .frequency = 1, .start = "smooth"};
+    p.motion = {.type = "surge", .amplitude = 0.1, .frequency = 1, .start = Start::smooth};
     return p;
   }
   WatchOf() {

@@ -1,0 +1,125 @@
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "solver/errors.hpp"
+
+// A choice is an enum with a table of its values: what a scene calls each, and what it is. Scene keys, messages and the
+// checks of parameters read the table. A new value is one enumerator, one row here and the code that it stands for.
+namespace seiche {
+
+template <class E>
+struct Choice {
+  E value;
+  std::string_view name;  ///< in scenes
+  std::string_view help;
+};
+
+/// The scheme that the other choices start from.
+enum class Preset { stabilised, paper };
+/// When particles move: after or before the pressure solve.
+enum class Order { project_first, move_first };
+/// What bounds the liquid in the pressure equation.
+enum class WallModel { ghosts, particles };
+/// What walls do to the viscous term.
+enum class WallSlip { free, none };
+/// Right-hand side of the pressure equation.
+enum class SourceTerm { mixed, density };
+enum class GradientModel { corrected, minimum, plain };
+/// Test for the free surface.
+enum class SurfaceTest { density_and_count, density };
+/// Of pairs that come too near.
+enum class SeparationModel { collide, part, none };
+/// Form of the viscous term.
+enum class ViscousModel { strain_rate, laplacian };
+enum class SolverName { amg, iccg, sor, cholmod };
+/// What the liquid does at t = 0.
+enum class Start { impulsive, smooth };
+
+template <class E>
+struct ChoiceTable;
+
+template <>
+struct ChoiceTable<Preset> {
+  static constexpr std::array rows{Choice{Preset::stabilised, "stabilised", "keeps the pressure smooth"},
+                                   Choice{Preset::paper, "paper", "as Pan, Zhang, Lu (2008) have it"}};
+};
+template <>
+struct ChoiceTable<Order> {
+  static constexpr std::array rows{Choice{Order::project_first, "project-first", "particles move after the solve"},
+                                   Choice{Order::move_first, "move-first", "before it, the paper's"}};
+};
+template <>
+struct ChoiceTable<WallModel> {
+  static constexpr std::array rows{
+      Choice{WallModel::ghosts, "ghosts", "the pressure goes on behind the wall with the body force's slope"},
+      Choice{WallModel::particles, "particles", "wall particles have pressures of their own, the paper's"}};
+};
+template <>
+struct ChoiceTable<WallSlip> {
+  static constexpr std::array rows{Choice{WallSlip::free, "free-slip", "no shear at walls"},
+                                   Choice{WallSlip::none, "no-slip", "liquid at a wall moves with it"}};
+};
+template <>
+struct ChoiceTable<SourceTerm> {
+  static constexpr std::array rows{Choice{SourceTerm::mixed, "mixed", "divergence and excess of particles"},
+                                   Choice{SourceTerm::density, "density", "equation (10)"}};
+};
+template <>
+struct ChoiceTable<GradientModel> {
+  static constexpr std::array rows{Choice{GradientModel::corrected, "corrected", "exact on linear fields"},
+                                   Choice{GradientModel::minimum, "minimum", "Koshizuka, Nobe, Oka 1998"},
+                                   Choice{GradientModel::plain, "plain", "equation (4)"}};
+};
+template <>
+struct ChoiceTable<SurfaceTest> {
+  static constexpr std::array rows{
+      Choice{SurfaceTest::density_and_count, "density-and-count", "of number density and neighbour count"},
+      Choice{SurfaceTest::density, "density", "equation (11)"}};
+};
+template <>
+struct ChoiceTable<SeparationModel> {
+  static constexpr std::array rows{Choice{SeparationModel::collide, "collide", "lose their approach velocity"},
+                                   Choice{SeparationModel::part, "part", "the additional modification"},
+                                   Choice{SeparationModel::none, "none", "are left"}};
+};
+template <>
+struct ChoiceTable<ViscousModel> {
+  static constexpr std::array rows{Choice{ViscousModel::strain_rate, "strain-rate", "divergence of the strain rate"},
+                                   Choice{ViscousModel::laplacian, "laplacian", "equation (5)"}};
+};
+template <>
+struct ChoiceTable<SolverName> {
+  static constexpr std::array rows{
+      Choice{SolverName::amg, "amg", "conjugate gradients with aggregation multigrid"},
+      Choice{SolverName::iccg, "iccg", "conjugate gradients with incomplete Cholesky, the paper's"},
+      Choice{SolverName::sor, "sor", "successive over-relaxation, the paper's other choice"},
+      Choice{SolverName::cholmod, "cholmod", "sparse Cholesky factorisation, exact to rounding"}};
+};
+template <>
+struct ChoiceTable<Start> {
+  static constexpr std::array rows{Choice{Start::impulsive, "impulsive", "at rest in the lab"},
+                                   Choice{Start::smooth, "smooth", "moves with the tank"}};
+};
+
+/// What scenes call it.
+template <class E>
+constexpr std::string_view name(E value) {
+  for (const Choice<E>& row : ChoiceTable<E>::rows)
+    if (row.value == value) return row.name;
+  return {};
+}
+
+/// The value that scenes call so. Throws BadParameters for another name.
+template <class E>
+E value_named(std::string_view wanted) {
+  std::string all;
+  for (const Choice<E>& row : ChoiceTable<E>::rows) {
+    if (row.name == wanted) return row.value;
+    all.append(all.empty() ? "" : ", ").append(row.name);
+  }
+  throw BadParameters("'" + std::string(wanted) + "' is none of " + all);
+}
+
+}  // namespace seiche
