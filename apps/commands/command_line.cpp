@@ -17,6 +17,7 @@
 #include "apps/compare/compare.hpp"
 #include "apps/run/run_info.hpp"
 #include "apps/scene/scene_file.hpp"
+#include "apps/validate/cases/cases.hpp"
 #include "apps/validate/validate.hpp"
 #include "render/outputs.hpp"
 

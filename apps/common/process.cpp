@@ -12,7 +12,7 @@
 
 #include "render/files/file.hpp"
 
-namespace seiche::apps::compare {
+namespace seiche::apps {
 namespace {
 
 constexpr int cannot_start = 127;
@@ -67,4 +67,4 @@ void Process::signal(int number) {
 
 std::string Process::errors() const { return render::contents(errors_.get()); }
 
-}  // namespace seiche::apps::compare
+}  // namespace seiche::apps

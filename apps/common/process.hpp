@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace seiche::apps::compare {
+namespace seiche::apps {
 
 /// A program at work beside this one. The terminal's Ctrl-C doesn't reach it: whoever started it passes on what should.
 /// Where this program dies, it is told to end with SIGTERM.
@@ -41,4 +41,4 @@ class Process {
   std::optional<int> code_;
 };
 
-}  // namespace seiche::apps::compare
+}  // namespace seiche::apps

@@ -6,7 +6,6 @@
 #include <set>
 #include <sstream>
 
-#include "apps/compare/vary.hpp"
 #include "apps/report/assets.hpp"
 #include "apps/report/chart.hpp"
 #include "apps/report/html.hpp"
@@ -14,7 +13,7 @@
 #include "apps/report/table.hpp"
 #include "apps/report/words.hpp"
 #include "apps/run/run_info.hpp"
-#include "apps/scene/options.hpp"
+#include "apps/scene/variants.hpp"
 
 namespace seiche::apps::report {
 namespace {
@@ -83,9 +82,9 @@ std::vector<std::string> varied(const Report& report) {
   std::vector<const Scene*> scenes;
   for (const ReportRun& run : report.runs) scenes.push_back(&run.run.scene);
   std::vector<std::string> all;
-  for (const Option* option : compare::differences(scenes))
+  for (const Option* option : differences(scenes))
     all.push_back(fmt::format("{} = {}", dotted(*option), of_all(report, [&](const ReportRun& run) {
-                                return compare::text_of(value_of(*option, run.run.scene));
+                                return text_of(value_of(*option, run.run.scene));
                               })));
   return all;
 }

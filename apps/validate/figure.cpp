@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 std::string number(double value, const std::string& unit) {
@@ -35,4 +35,4 @@ std::string verdict(const Figure& figure) {
   return "missed by " + number(std::max(low - figure.value, figure.value - high), figure.unit);
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 /// Where a value must lie, ends included.
 struct Target {
@@ -34,4 +34,4 @@ std::string target_text(const Figure& figure);
 /// "met", "missed by 0.2 %", or "-" where there is no target.
 std::string verdict(const Figure& figure);
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

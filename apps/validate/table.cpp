@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 std::string cell(double value) { return std::isinf(value) ? "" : fmt::format("{:.6g}", value); }
@@ -69,4 +69,4 @@ std::string count_text(const std::vector<Outcome>& outcomes) {
                      failed ? fmt::format("; {} cases failed", failed) : "");
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -4,7 +4,7 @@
 
 #include "apps/validate/case.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 /// How a case came out.
 struct Outcome {
@@ -27,4 +27,4 @@ std::string table_csv(const std::vector<Outcome>& outcomes);
 /// As in "21 figures: 17 met, 2 missed, 2 without a target".
 std::string count_text(const std::vector<Outcome>& outcomes);
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

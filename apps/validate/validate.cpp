@@ -17,7 +17,7 @@
 
 namespace fs = std::filesystem;
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 std::vector<Case> chosen(const std::vector<Case>& cases, const std::vector<std::string>& names) {
@@ -30,7 +30,7 @@ std::vector<Case> chosen(const std::vector<Case>& cases, const std::vector<std::
   }
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const auto guess = apps::nearest(name, known);
+    const auto guess = nearest(name, known);
     throw std::invalid_argument(
         fmt::format("there is no case '{}'; {}", name,
                     guess ? fmt::format("did you mean '{}'?", *guess) : "`seiche validate --list` shows all"));
@@ -55,16 +55,15 @@ void write(const fs::path& folder, const std::vector<Outcome>& outcomes) {
   for (const Outcome& outcome : outcomes)
     charts.insert(charts.end(), outcome.findings.charts.begin(), outcome.findings.charts.end());
   if (!charts.empty())
-    render::write_png(folder / "figures.png", draw_page(charts),
-                      {{"Software", fmt::format("seiche {}", apps::version())}});
+    render::write_png(folder / "figures.png", draw_page(charts), {{"Software", fmt::format("seiche {}", version())}});
 }
 
 int exit_code(const std::vector<Outcome>& outcomes, bool interrupted) {
   if (interrupted) return apps::interrupted;
-  int code = apps::done;
+  int code = done;
   for (const Outcome& outcome : outcomes) {
-    if (!outcome.failure.empty()) return apps::failed;
-    if (!outcome.met()) code = apps::over_threshold;
+    if (!outcome.failure.empty()) return failed;
+    if (!outcome.met()) code = over_threshold;
   }
   return code;
 }
@@ -84,16 +83,16 @@ int validate(const Request& request, const std::vector<Case>& cases) {
   if (request.list) {
     for (const Case& each : asked) fmt::print("{:<14} {}\n", each.name, each.shows);
     fmt::print("with the scenes and references of {}\n", scenes.string());
-    return apps::done;
+    return done;
   }
   if (!fs::is_directory(scenes / "reference"))
     throw std::invalid_argument(fmt::format("{} is no folder of scenes: it has no reference/", scenes.string()));
-  const apps::OutputFolder folder{request.folder, "validate"};
+  const OutputFolder folder{request.folder, "validate"};
   folder.check(request.overwrite);
   render::gl_description();  // before hours are spent
   fs::create_directories(request.folder);
 
-  const apps::SignalWatch signals;
+  const SignalWatch signals;
   Bench bench(scenes, request.quick, request.threads > 0 ? request.threads : omp_get_num_procs(),
               [&] { return signals.caught(); });
   std::vector<Outcome> outcomes;
@@ -115,4 +114,4 @@ int validate(const Request& request, const std::vector<Case>& cases) {
   return exit_code(outcomes, interrupted);
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -5,7 +5,7 @@
 
 #include "apps/validate/case.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 /// What the command line of `seiche validate` asks for.
 struct Request {
@@ -24,7 +24,7 @@ std::filesystem::path find_scenes();
 /// `seiche validate`: runs the cases asked for, prints their figures, and writes table.md, table.csv and figures.png
 /// into the folder. Returns what the program exits with: 130 when it was interrupted, 1 if a case failed, 3 if a figure
 /// misses its target, 0 else. The files hold what was found until then.
-/// Throws std::invalid_argument for a case or a folder that isn't there, apps::BadFolder, render::NoGl.
+/// Throws std::invalid_argument for a case or a folder that isn't there, BadFolder, render::NoGl.
 int validate(const Request& request, const std::vector<Case>& cases);
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 TEST(Figure, IsHeldAgainstItsTarget) {
@@ -48,4 +48,4 @@ TEST(Table, HasARowForEachFigureAndEachFailure) {
 }
 
 }  // namespace
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

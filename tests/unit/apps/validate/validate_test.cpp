@@ -9,7 +9,7 @@
 #include "apps/common/output_folder.hpp"
 #include "tests/unit/apps/files.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 // A coarse still tank for a twentieth of a second, and a limit on its greatest speed.
@@ -91,4 +91,4 @@ TEST(Cases, HaveScenesAndReferencesWhereTheProgramLooks) {
 }
 
 }  // namespace
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate
