@@ -140,12 +140,7 @@ std::vector<std::string> verdict_of(const Ending& ending) {
     case Ending::Status::failed:
       break;
   }
-  // Of "stopped at t = 0.0190 s, step 36: the speed ... (fluid particle 550 at ...)" what is between.
-  std::string why = ending.reason;
-  if (const auto colon = why.find(": "); why.starts_with("stopped at t = ") && colon != std::string::npos)
-    why.erase(0, colon + 2);
-  if (const auto bracket = why.find(" ("); bracket != std::string::npos) why.erase(bracket);
-  return {fmt::format("stopped at {:.3f} s", ending.time), why};
+  return {fmt::format("stopped at {:.3f} s", ending.time), ending.failure ? ending.failure->cause : ending.trouble};
 }
 
 Outcome run_all(const std::vector<PlannedRun>& runs, int threads, bool again, Board& board,

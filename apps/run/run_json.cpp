@@ -48,10 +48,20 @@ Json samples(const Scene& scene) {
   return result;
 }
 
+// Coordinates that aren't finite are null.
+Json failure(const Failure& failure) {
+  Json result{{"time_s", failure.time}, {"step", failure.step}, {"cause", failure.cause}};
+  if (!failure.detail.empty()) result["detail"] = failure.detail;
+  if (const auto& place = failure.place)
+    result["place"] = {{"kind", name(place->kind)}, {"particle", place->id}, {"position_m", place->position}};
+  return result;
+}
+
 Json ending(const std::optional<Ending>& ending) {
   if (!ending) return Json::object({{"status", "running"}});
   Json result = Json::object({{"status", name(ending->status)}, {"time_s", ending->time}, {"frames", ending->frames}});
-  if (!ending->reason.empty()) result["reason"] = ending->reason;
+  if (ending->failure) result["failure"] = failure(*ending->failure);
+  if (!ending->trouble.empty()) result["trouble"] = ending->trouble;
   return result;
 }
 
@@ -123,6 +133,16 @@ std::vector<double> numbers(const nlohmann::json& json) {
   return values;
 }
 
+Failure read_failure(const nlohmann::json& json) {
+  Failure failure{json.at("time_s"), json.at("step"), json.at("cause"), json.value("detail", ""), {}};
+  const auto found = json.find("place");
+  if (found == json.end()) return failure;
+  failure.place = {Kind::fluid, found->at("particle"), numbers(found->at("position_m"))};
+  for (const Kind kind : {Kind::wall, Kind::dummy})
+    if (found->at("kind") == name(kind)) failure.place->kind = kind;
+  return failure;
+}
+
 std::optional<Ending> read_ending(const nlohmann::json& json) {
   const std::string status = json.at("status");
   if (status == "running") return {};
@@ -131,7 +151,8 @@ std::optional<Ending> read_ending(const nlohmann::json& json) {
     if (status == name(each)) ending.status = each;
   ending.time = json.at("time_s");
   ending.frames = json.at("frames");
-  ending.reason = json.value("reason", "");
+  if (const auto found = json.find("failure"); found != json.end()) ending.failure = read_failure(*found);
+  ending.trouble = json.value("trouble", "");
   return ending;
 }
 

@@ -75,19 +75,19 @@ Recording Bench::attempt(const std::string& name, const std::vector<std::string>
   const Stopwatch watch;
   const Ending ending = run_loop(*simulation, outputs, run_info(scene), progress, stop_);
   fmt::print("  {} {}: {:g} s in {}{}{}\n", name, fmt::join(settings, " "), ending.time, clock_text(watch.seconds()),
-             ending.reason.empty() ? "" : "; ", ending.reason);
+             ending.reason().empty() ? "" : "; ", ending.reason());
   std::fflush(stdout);
   if (ending.status == Ending::Status::interrupted) throw Interrupted();
   recording.statistics = simulation->statistics();
   recording.end = ending.time;
-  recording.failure = ending.reason;
+  recording.failure = ending.reason();
   return recording;
 }
 
 Recording Bench::run(const std::string& name, const std::vector<std::string>& settings, const Look& look,
                      const std::vector<double>& stations) {
   Recording recording = attempt(name, settings, look, stations);
-  if (!recording.failure.empty()) throw RunFailure(recording.failure);
+  if (!recording.failure.empty()) throw std::runtime_error(recording.failure);
   return recording;
 }
 

@@ -48,8 +48,8 @@ class Bench {
   /// The scene NAME.toml with settings such as "particles.spacing=0.01". Throws BadScene.
   Scene scene(const std::string& name, const std::vector<std::string>& settings) const;
 
-  /// Runs it to its end, with wave gauges at the stations beside its own sensors. Throws RunFailure where the end isn't
-  /// reached, Interrupted, BadScene.
+  /// Runs it to its end, with wave gauges at the stations beside its own sensors. Throws std::runtime_error where the
+  /// end isn't reached, Interrupted, BadScene.
   Recording run(const std::string& name, const std::vector<std::string>& settings, const Look& look = {},
                 const std::vector<double>& stations = {});
 

@@ -25,6 +25,7 @@ struct StoredRunTest : ::testing::Test {
   Scratch scratch;
   Scene scene;
   RunRecord record;
+  const Failure failure{0.24, 36, "it blew up", {}, Failure::Particle{Kind::wall, 12, {NAN, 0.123456789}}};
 
   void SetUp() override {
     write_text(scratch / "shaker.csv", "t [s],surge [m]\n0,0\n0.1,0.001\n0.2,0.0015\n0.3,0.001\n");
@@ -45,7 +46,7 @@ of = "eta_left"
 file = "theory.csv"
 )");
     scene = read_scene((scratch / "a.toml").string(), {});
-    record.ending = Ending{Ending::Status::failed, "it blew up", 3, 0.25};
+    record.ending = Ending{Ending::Status::failed, failure, "ffmpeg was killed", 3, 0.25};
     record.statistics.steps = 40;
     record.statistics.leaked = 2;
     record.statistics.least_distance = 0.0042;
@@ -76,7 +77,16 @@ TEST_F(StoredRunTest, KnowsHowTheRunEnded) {
   const StoredRun run = stored();
   ASSERT_TRUE(run.record.ending);
   EXPECT_EQ(run.record.ending->status, Ending::Status::failed);
-  EXPECT_EQ(run.record.ending->reason, "it blew up");
+  ASSERT_TRUE(run.record.ending->failure);
+  const Failure& why = *run.record.ending->failure;
+  EXPECT_EQ(sentence(why), sentence(failure));
+  EXPECT_EQ(why.time, failure.time);
+  ASSERT_TRUE(why.place);
+  EXPECT_EQ(why.place->kind, Kind::wall);
+  EXPECT_EQ(why.place->id, 12u);
+  EXPECT_TRUE(std::isnan(why.place->position.at(0)));
+  EXPECT_EQ(why.place->position.at(1), 0.123456789);
+  EXPECT_EQ(run.record.ending->trouble, "ffmpeg was killed");
   EXPECT_EQ(run.record.ending->time, 0.25);
   EXPECT_EQ(run.record.statistics.steps, 40);
   EXPECT_EQ(run.record.statistics.leaked, 2);
