@@ -1,9 +1,12 @@
 #include "apps/run/run_json.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "apps/common/schema.hpp"
 #include "apps/run/run_info.hpp"
 #include "apps/scene/lists.hpp"
 #include "apps/scene/options.hpp"
@@ -156,6 +159,13 @@ std::optional<Ending> read_ending(const nlohmann::json& json) {
   return ending;
 }
 
+// How a run that can't be read is made anew.
+std::string remedy(const nlohmann::json& json, const std::filesystem::path& folder) {
+  const auto file = nlohmann::json::json_pointer("/scene/file");
+  return fmt::format("make it anew with `seiche run {} -o {} --overwrite` and the settings it had",
+                     json.contains(file) ? json[file].get<std::string>() : "SCENE", folder.string());
+}
+
 void read_statistics(const nlohmann::json& json, Statistics& s) {
   const auto &steps = json.at("steps"), &pressure = json.at("pressure"), &particles = json.at("particles");
   s.steps = steps.at("count");
@@ -178,6 +188,7 @@ void read_statistics(const nlohmann::json& json, Statistics& s) {
 
 void write_run_json(const std::filesystem::path& file, const Scene& scene, const RunRecord& record) {
   Json json{{"seiche", version()},
+            {schema_key, run_schema},
             {"scene", {{"name", scene.name}, {"file", scene.file}, {"hash", scene_hash(scene)}}},
             {"run", ending(record.ending)},
             {"particles", particles(record.statistics)},
@@ -197,7 +208,8 @@ void write_samples(const std::filesystem::path& file, const Scene& scene) {
   render::write_file(file, samples(scene).dump() + "\n");
 }
 
-void read_run_json(const nlohmann::json& json, Scene& scene, RunRecord& record) {
+void read_run_json(const nlohmann::json& json, const std::filesystem::path& folder, Scene& scene, RunRecord& record) {
+  check_schema(json, run_schema, remedy(json, folder));
   scene = {};
   scene.name = json.at("scene").at("name");
   scene.file = json.at("scene").at("file");

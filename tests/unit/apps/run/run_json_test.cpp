@@ -46,6 +46,8 @@ TEST(RunJson, TellsHowARunEnded) {
             (nlohmann::json{{"particle_steps_per_second", 300 * 40 / 2.0}, {"waited_for_outputs_share", 0.0625}}));
 }
 
+TEST(RunJson, HasASchemaVersion) { EXPECT_EQ(written({})["schema"], run_schema); }
+
 TEST(RunJson, HoldsEveryKey) {
   const nlohmann::json parameters = written({})["parameters"];
   EXPECT_EQ(parameters["gravity"], 5.0);

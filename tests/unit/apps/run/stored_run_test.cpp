@@ -148,5 +148,19 @@ TEST_F(StoredRunTest, RefusesWhatIsNoRun) {
   EXPECT_TRUE(refusal_of(out).starts_with((out / "run.json").string() + " can't be used: ")) << refusal_of(out);
 }
 
+TEST_F(StoredRunTest, RefusesAnotherSchemaVersionAndSaysWhatToDo) {
+  const auto out = scratch / "out";
+  const std::string remedy = "make it anew with `seiche run b/x.toml -o " + out.string() +
+                             " --overwrite` and the settings it had",
+                    file = (out / "run.json").string();
+  write_text(out / "run.json", R"({"seiche": "0.1.0", "scene": {"file": "b/x.toml"}})");
+  EXPECT_EQ(refusal_of(out), file +
+                                 " can't be used: it has no schema version, as those of Seiche 0.1; expected "
+                                 "version 1; " +
+                                 remedy);
+  write_text(out / "run.json", R"({"seiche": "9", "schema": 12, "scene": {"file": "b/x.toml"}})");
+  EXPECT_EQ(refusal_of(out), file + " can't be used: its schema version is 12; expected 1; " + remedy);
+}
+
 }  // namespace
 }  // namespace seiche::apps
