@@ -10,7 +10,9 @@ TEST(RunFailure, SaysWhenWhyAndWhere) {
   const std::string cause = "the speed is beyond the limit (fluid particle 550 at x = 0.1 m, y = 2 m)";
   EXPECT_EQ(cause_text(failure), cause);
   EXPECT_STREQ(RunFailure(failure).what(), ("stopped at t = 0.0190 s, step 36: " + cause).c_str());
-  EXPECT_EQ(RunFailure(failure).failure.place->id, 550u);
+  const RunFailure thrown(failure);
+  ASSERT_TRUE(thrown.failure.place);
+  EXPECT_EQ(thrown.failure.place->id, 550u);
 }
 
 TEST(RunFailure, NeedsNeitherDetailNorPlace) {
