@@ -24,6 +24,7 @@ class Descriptor {
   ~Descriptor() { reset(); }
 
   int number() const { return number_; }
+  int release() { return std::exchange(number_, -1); }
   void reset() {
     if (number_ >= 0) close(number_);
     number_ = -1;

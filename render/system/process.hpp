@@ -13,7 +13,7 @@ namespace seiche::render {
 
 /// A program to start, and what it is given.
 struct Command {
-  std::vector<std::string> words;             ///< its name and its arguments
+  std::vector<std::string> words = {};        ///< its name and its arguments
   std::filesystem::path program = {};         ///< its file; empty: words[0] is looked for on PATH
   std::filesystem::path folder = {};          ///< that it works in; empty: where this program does
   std::vector<std::string> environment = {};  ///< "NAME=value" beside this program's own
