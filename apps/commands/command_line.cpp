@@ -17,6 +17,8 @@
 #include "apps/compare/compare.hpp"
 #include "apps/run/run_info.hpp"
 #include "apps/scene/scene_file.hpp"
+#include "apps/validate/cases/cases.hpp"
+#include "apps/validate/cases/known_misses.hpp"
 #include "apps/validate/validate.hpp"
 #include "render/outputs.hpp"
 
@@ -119,7 +121,8 @@ void add_validate(CLI::App& app, validate::Request& request, int& code) {
   verb->add_flag("--quick", request.quick, "coarse runs only");
   verb->add_flag("--list", request.list, "name the cases, and run nothing");
   verb->add_flag("--overwrite", request.overwrite, "replace an earlier table in the folder");
-  verb->callback([&request, &code] { code = validate::validate(request, validate::all_cases()); });
+  verb->callback(
+      [&request, &code] { code = validate::validate(request, validate::all_cases(), validate::known_misses()); });
 }
 
 // CLI11 says only that a verb is required where one is misspelt.

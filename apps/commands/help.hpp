@@ -98,7 +98,7 @@ constexpr const char* validate_footer = R"(Examples:
 Writes, under out/validate/ or the folder of -o:
   table.md, table.csv   each figure with its value, target and verdict
   figures.png           runs and references, drawn
-Exits with 3 if a figure misses its target, with 1 if a run failed that should not.
+Exits with 3 if a figure misses its target for no known reason, with 1 if a run failed that should not.
 The scenes are those that came with the program; another folder of them needs its reference/ too.)";
 
 }  // namespace seiche::apps::help

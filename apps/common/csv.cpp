@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "apps/scene/scene_file.hpp"
+#include "apps/common/errors.hpp"
 
 namespace seiche::apps {
 namespace {

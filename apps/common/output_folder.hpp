@@ -1,14 +1,10 @@
 #pragma once
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 
-namespace seiche::apps {
+#include "apps/common/errors.hpp"
 
-/// The output folder can't be used: why, and what to do.
-struct BadFolder : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+namespace seiche::apps {
 
 /// Where everything of a run goes.
 struct OutputFolder {

@@ -15,6 +15,7 @@
 #include "apps/compare/runs.hpp"
 #include "apps/report/command.hpp"
 #include "apps/report/report.hpp"
+#include "apps/scene/variants.hpp"
 #include "render/outputs.hpp"
 #include "render/panels/grid_layout.hpp"
 

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <nlohmann/json.hpp>
 
+#include "apps/common/schema.hpp"
 #include "apps/run/run_info.hpp"
 #include "apps/run/stored_run.hpp"
 #include "render/files/file.hpp"
@@ -20,6 +21,7 @@ namespace seiche::apps::compare {
 namespace {
 
 constexpr const char* name = "compare";  // of the movie, and of the file that tells such a folder
+constexpr int note_schema = 1;
 constexpr const char* ways_out = "choose another folder with -o DIR, or replace the comparison with --overwrite";
 
 fs::path note_in(const fs::path& folder) { return folder / (std::string(name) + ".json"); }
@@ -32,8 +34,11 @@ std::vector<std::string> noted(const fs::path& folder) {
   try {
     std::vector<std::string> runs;
     const auto note = nlohmann::json::parse(render::read_file(note_in(folder)));
+    check_schema(note, note_schema, ways_out);
     for (const auto& run : note.at("runs")) runs.push_back(run.at("folder"));
     return runs;
+  } catch (const std::invalid_argument& error) {
+    throw BadFolder(fmt::format("{} can't be used: {}", note_in(folder).string(), error.what()));
   } catch (const std::exception& error) {
     throw BadFolder(fmt::format("{} can't be used: {}; {}", note_in(folder).string(), error.what(), ways_out));
   }
@@ -81,7 +86,8 @@ void check_folder(const fs::path& folder, const std::vector<Place>& runs, bool o
 }
 
 void write_note(const fs::path& folder, const std::vector<Place>& runs) {
-  nlohmann::ordered_json json{{"seiche", version()}, {"runs", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{
+      {"seiche", version()}, {schema_key, note_schema}, {"runs", nlohmann::ordered_json::array()}};
   for (const Place& run : runs) json["runs"].push_back({{"label", run.label}, {"folder", told(run.folder, folder)}});
   render::write_file(note_in(folder), json.dump(2) + "\n");
 }

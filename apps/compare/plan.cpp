@@ -13,6 +13,7 @@
 #include "apps/run/stored_run.hpp"
 #include "apps/scene/scene_file.hpp"
 #include "apps/scene/scene_text.hpp"
+#include "apps/scene/variants.hpp"
 
 namespace seiche::apps::compare {
 namespace {

@@ -10,9 +10,10 @@
 #include <optional>
 
 #include "apps/common/exit_codes.hpp"
-#include "apps/common/process.hpp"
 #include "apps/common/stopwatch.hpp"
 #include "apps/run/stored_run.hpp"
+#include "render/files/file.hpp"
+#include "render/system/process.hpp"
 
 namespace seiche::apps::compare {
 namespace {
@@ -50,10 +51,24 @@ std::optional<Ending> ending_of(const PlannedRun& run, int code = done) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+// A run at work. Where this program is killed, it ends with its current frame.
+struct Worker {
+  explicit Worker(const std::vector<std::string>& words)
+      : process({.words = words,
+                 .program = "/proc/self/exe",
+                 .files = {{0, nothing.number()}, {1, nothing.number()}, {2, fileno(errors.get())}},
+                 .own_session = true,
+                 .ends_with_us = true}) {}
+
+  render::File errors = render::temporary_file();
+  render::Descriptor nothing = render::null_device();
+  render::Process process;
+};
+
 // The runs at work, each with its lane on the board.
 class Team {
  public:
-  Team(const std::vector<PlannedRun>& runs, bool again) : runs_(runs), processes_(runs.size()) {
+  Team(const std::vector<PlannedRun>& runs, bool again) : runs_(runs), workers_(runs.size()) {
     for (const PlannedRun& run : runs) {
       lanes_.push_back({.label = run.label, .end = run.scene.parameters.time.end, .verdict = {}});
       if (again || !is_done(run)) continue;
@@ -78,7 +93,7 @@ class Team {
   void start_next(int threads) {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       if (lanes_[i].state != Lane::State::waiting) continue;
-      processes_[i] = std::make_unique<Process>("/proc/self/exe", command(runs_[i], threads));
+      workers_[i] = std::make_unique<Worker>(command(runs_[i], threads));
       lanes_[i].state = Lane::State::running;
       return;
     }
@@ -88,34 +103,34 @@ class Team {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       Lane& lane = lanes_[i];
       if (lane.state != Lane::State::running) continue;
-      if (!processes_[i]->exit_code()) {
+      const std::optional<int> code = workers_[i]->process.exit_code();
+      if (!code) {
         lane.time = reached(runs_[i], lane.time);
         continue;
       }
       lane.state = Lane::State::over;
-      if (const auto ending = ending_of(runs_[i], *processes_[i]->exit_code())) {
+      if (const auto ending = ending_of(runs_[i], *code)) {
         lane.verdict = fmt::format("{}", fmt::join(verdict_of(*ending), ": "));
       } else {
-        const std::string why = first_line(processes_[i]->errors());
-        lane.verdict = fmt::format("could not be run: {}",
-                                   why.empty() ? fmt::format("it ended with {}", *processes_[i]->exit_code()) : why);
+        const std::string why = first_line(render::contents(workers_[i]->errors.get()));
+        lane.verdict = fmt::format("could not be run: {}", why.empty() ? fmt::format("it ended with {}", *code) : why);
         outcome.troubles.push_back(fmt::format("{} {}", lane.label, lane.verdict));
       }
-      processes_[i].reset();
+      workers_[i].reset();
     }
   }
 
   // Until one ends, a signal comes, or it is time to show how far they have come.
   void wait() const {
     std::vector<pollfd> ends;
-    for (const auto& process : processes_)
-      if (process) ends.push_back({process->descriptor(), POLLIN, 0});
+    for (const auto& worker : workers_)
+      if (worker) ends.push_back({worker->process.descriptor(), POLLIN, 0});
     poll(ends.data(), ends.size(), between_looks);
   }
 
   void end_all() {
-    for (const auto& process : processes_)
-      if (process) process->signal(SIGINT);
+    for (const auto& worker : workers_)
+      if (worker) worker->process.signal(SIGINT);
   }
 
  private:
@@ -126,7 +141,7 @@ class Team {
 
   const std::vector<PlannedRun>& runs_;
   std::vector<Lane> lanes_;
-  std::vector<std::unique_ptr<Process>> processes_;  // of those at work
+  std::vector<std::unique_ptr<Worker>> workers_;  // of those at work
 };
 
 }  // namespace
@@ -140,12 +155,7 @@ std::vector<std::string> verdict_of(const Ending& ending) {
     case Ending::Status::failed:
       break;
   }
-  // Of "stopped at t = 0.0190 s, step 36: the speed ... (fluid particle 550 at ...)" what is between.
-  std::string why = ending.reason;
-  if (const auto colon = why.find(": "); why.starts_with("stopped at t = ") && colon != std::string::npos)
-    why.erase(0, colon + 2);
-  if (const auto bracket = why.find(" ("); bracket != std::string::npos) why.erase(bracket);
-  return {fmt::format("stopped at {:.3f} s", ending.time), why};
+  return {fmt::format("stopped at {:.3f} s", ending.time), ending.failure ? ending.failure->cause : ending.trouble};
 }
 
 Outcome run_all(const std::vector<PlannedRun>& runs, int threads, bool again, Board& board,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "apps/common/output_folder.hpp"
+#include "apps/replay/replay.hpp"
 #include "apps/replay/replay_setup.hpp"
 #include "render/files/file.hpp"
 #include "render/files/read_png.hpp"

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "apps/common/signals.hpp"
-#include "apps/replay/replay.hpp"
 #include "apps/replay/replay_loop.hpp"
+#include "apps/replay/replay_request.hpp"
 #include "render/outputs.hpp"
 
 // What `seiche render` and `seiche movie` have in common.

@@ -2,7 +2,8 @@
 
 namespace seiche::apps::report {
 
-/// report.css and report.js, which every page holds.
+/// report.html, the page's template, and report.css and report.js, which it holds.
+extern const char* const skeleton;
 extern const char* const style;
 extern const char* const script;
 

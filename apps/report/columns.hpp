@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/report/contents.hpp"
 #include "apps/report/measures.hpp"
-#include "apps/report/report.hpp"
 
 namespace seiche::apps::report {
 

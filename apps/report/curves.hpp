@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/report/report.hpp"
+#include "apps/report/contents.hpp"
 
 namespace seiche::apps::report {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "apps/common/filter.hpp"
 #include "apps/report/curves.hpp"
-#include "apps/validate/filter.hpp"
 #include "render/curves/curve_choice.hpp"
 #include "render/panels/deviation.hpp"
 
@@ -15,8 +15,8 @@ namespace {
 constexpr double cut = 10;  // [Hz]; sloshing is slower, what a scheme adds from step to step is faster
 
 // Without its gaps.
-validate::Series finite(const render::Series& series) {
-  validate::Series result;
+Series finite(const render::Series& series) {
+  Series result;
   for (std::size_t i = 0; i < series.time.size(); ++i) {
     if (!std::isfinite(series.value[i])) continue;
     result.t.push_back(series.time[i]);
@@ -32,7 +32,7 @@ std::optional<Share> noise_of(const render::Series& pressure, const RunInfo& run
   const double end = pressure.time.back();
   Share noise{0, end < 1 ? pressure.time.front() : 0.5, std::min(end, 3.0)};
   try {
-    noise.value = validate::noise(finite(pressure), noise.from, noise.to, cut) / weight;
+    noise.value = apps::noise(finite(pressure), noise.from, noise.to, cut) / weight;
   } catch (const std::runtime_error&) {
     return {};  // too few readings, or too seldom
   }

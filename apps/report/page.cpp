@@ -6,15 +6,15 @@
 #include <set>
 #include <sstream>
 
-#include "apps/compare/vary.hpp"
 #include "apps/report/assets.hpp"
 #include "apps/report/chart.hpp"
 #include "apps/report/html.hpp"
 #include "apps/report/stage.hpp"
 #include "apps/report/table.hpp"
+#include "apps/report/template.hpp"
 #include "apps/report/words.hpp"
 #include "apps/run/run_info.hpp"
-#include "apps/scene/options.hpp"
+#include "apps/scene/variants.hpp"
 
 namespace seiche::apps::report {
 namespace {
@@ -83,9 +83,9 @@ std::vector<std::string> varied(const Report& report) {
   std::vector<const Scene*> scenes;
   for (const ReportRun& run : report.runs) scenes.push_back(&run.run.scene);
   std::vector<std::string> all;
-  for (const Option* option : compare::differences(scenes))
+  for (const Option* option : differences(scenes))
     all.push_back(fmt::format("{} = {}", dotted(*option), of_all(report, [&](const ReportRun& run) {
-                                return compare::text_of(value_of(*option, run.run.scene));
+                                return text_of(value_of(*option, run.run.scene));
                               })));
   return all;
 }
@@ -122,23 +122,20 @@ std::string what_was_run_html(const Report& report) {
 }  // namespace
 
 std::string page(const Report& report, const std::filesystem::path& folder) {
-  const Scene& scene = report.runs.front().run.scene;
-  const std::string title = escaped(report.title);
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"generator\" content=\"Seiche {}\">\n"
-      "<title>{} · Seiche</title>\n<style>\n{}</style>\n<noscript><style>.bar, .key.runs {{ display: none; "
-      "}}</style></noscript>\n</head>\n<body>\n"
-      "<main class=\"{}\" data-end=\"{:.6g}\" data-interval=\"{:.6g}\">\n",
-      escaped(version()), title, style, report.runs.size() == 1 ? "alone" : "several", reached(report),
-      1 / scene.output.frame_rate);
-  html += fmt::format("<header>\n<h1>{}</h1>\n<p class=\"tank\">{}</p>\n{}{}</header>\n", title,
-                      escaped(tank_sentence(report)), outcomes_html(report), facts_html(report));
-  html += stage_html(report, folder) + curves_html(report);
-  html += fmt::format("<section class=\"measures\">\n<h2>Measures</h2>\n{}</section>\n", table_html(report));
-  html += what_was_run_html(report);
-  return html + fmt::format("</main>\n<script>\n{}</script>\n</body>\n</html>\n", script);
+  return filled(skeleton, {{"version", escaped(version())},
+                           {"title", escaped(report.title)},
+                           {"style", style},
+                           {"script", script},
+                           {"layout", report.runs.size() == 1 ? "alone" : "several"},
+                           {"end", fmt::format("{:.6g}", reached(report))},
+                           {"interval", fmt::format("{:.6g}", 1 / report.runs.front().run.scene.output.frame_rate)},
+                           {"tank", escaped(tank_sentence(report))},
+                           {"outcomes", outcomes_html(report)},
+                           {"facts", facts_html(report)},
+                           {"stage", stage_html(report, folder)},
+                           {"curves", curves_html(report)},
+                           {"measures", table_html(report)},
+                           {"origin", what_was_run_html(report)}});
 }
 
 }  // namespace seiche::apps::report

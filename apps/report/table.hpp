@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "apps/report/report.hpp"
+#include "apps/report/contents.hpp"
 
 namespace seiche::apps::report {
 

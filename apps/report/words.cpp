@@ -62,10 +62,11 @@ std::string motion_text(const Report& report) {
           report, [](const Parameters& p) { return p.motion.frequency; }, hertz_text));
 }
 
-// The run's own sentence begins with the time and the step, which are told elsewhere.
-std::string cause(const std::string& reason) {
-  const std::size_t colon = reason.find(": ");
-  return reason.starts_with("stopped at t = ") && colon != std::string::npos ? reason.substr(colon + 2) : reason;
+// The time and the step are told elsewhere.
+std::string cause_of(const Ending& ending) {
+  std::string cause = ending.failure ? cause_text(*ending.failure) : "";
+  add_trouble(cause, ending.trouble);
+  return cause;
 }
 
 }  // namespace
@@ -110,7 +111,7 @@ Outcome outcome_of(const ReportRun& run) {
     case Ending::Status::failed:
       break;
   }
-  return {"stopped", "at " + time, cause(ending->reason)};
+  return {"stopped", "at " + time, cause_of(*ending)};
 }
 
 std::string outcome_text(const ReportRun& run) {

@@ -2,7 +2,7 @@
 #include <functional>
 #include <string>
 
-#include "apps/report/report.hpp"
+#include "apps/report/contents.hpp"
 
 namespace seiche::apps::report {
 

@@ -16,7 +16,7 @@ std::string ending_sentence(const Ending& ending) {
     case Ending::Status::failed:
       break;
   }
-  return fmt::format("the run failed: {}\nKept", ending.reason);
+  return fmt::format("the run failed: {}\nKept", ending.reason());
 }
 
 std::string losses(const Statistics& s) {

@@ -14,82 +14,40 @@ FrameQueue::~FrameQueue() { close(); }
 
 void FrameQueue::push(FramePtr frame) {
   const Stopwatch watch;
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return frames_.size() < depth || failed_; });
+  frames_.push(std::move(frame));
   waited_ += watch.seconds();
-  if (failed_) return;
-  frames_.push_back(std::move(frame));
-  changed_.notify_all();
 }
 
-bool FrameQueue::failed() const {
-  const std::lock_guard lock(mutex_);
-  return failed_;
-}
+bool FrameQueue::failed() const { return frames_.failed(); }
 
-void FrameQueue::close() {
-  const std::lock_guard lock(mutex_);
-  closed_ = true;
-  changed_.notify_all();
-}
+void FrameQueue::close() { frames_.close(); }
 
 bool FrameQueue::ended_within(double seconds) {
-  std::unique_lock lock(mutex_);
-  return changed_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return ended_; });
+  return ended_.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
 }
 
-std::size_t FrameQueue::waiting() const {
-  const std::lock_guard lock(mutex_);
-  return frames_.size();
-}
+std::size_t FrameQueue::waiting() const { return frames_.size(); }
 
-long FrameQueue::taken() const {
-  const std::lock_guard lock(mutex_);
-  return taken_;
-}
+long FrameQueue::taken() const { return taken_; }
 
-std::string FrameQueue::trouble() const {
-  const std::lock_guard lock(mutex_);
-  return trouble_;
-}
+std::string FrameQueue::trouble() const { return trouble_; }
 
-double FrameQueue::waited() const {
-  const std::lock_guard lock(mutex_);
-  return waited_;
-}
+double FrameQueue::waited() const { return waited_; }
 
 // What the thread does.
 void FrameQueue::serve() {
   try {
     outputs_.begin(run_);
-    while (const FramePtr frame = next()) {
-      outputs_.frame(frame);
-      const std::lock_guard lock(mutex_);
+    while (const auto frame = frames_.pop()) {
+      outputs_.frame(*frame);
       ++taken_;
     }
   } catch (const std::exception& error) {
-    const std::lock_guard lock(mutex_);
-    failed_ = true;
     trouble_ = error.what();
-    frames_.clear();
-    changed_.notify_all();
+    frames_.fail();
   }
-  const std::string trouble = outputs_.end();
-  const std::lock_guard lock(mutex_);
-  add_trouble(trouble_, trouble);
-  ended_ = true;
-  changed_.notify_all();
-}
-
-// The next frame, once there is one; null when there will be none.
-FramePtr FrameQueue::next() {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return !frames_.empty() || closed_; });
-  if (frames_.empty()) return {};
-  FramePtr frame = std::move(frames_.front());
-  frames_.pop_front();
-  changed_.notify_all();
-  return frame;
+  add_trouble(trouble_, outputs_.end());
+  end_.set_value();
 }
 
 }  // namespace seiche::apps

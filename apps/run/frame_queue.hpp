@@ -1,12 +1,12 @@
 #pragma once
-#include <condition_variable>
+#include <atomic>
 #include <cstddef>
-#include <deque>
-#include <mutex>
+#include <future>
 #include <string>
 #include <thread>
 
 #include "apps/run/outputs.hpp"
+#include "render/system/bounded_queue.hpp"
 
 namespace seiche::apps {
 
@@ -37,21 +37,19 @@ class FrameQueue {
 
   std::size_t waiting() const;  ///< frames not yet taken by the outputs
   long taken() const;           ///< frames that every output has
-  std::string trouble() const;  ///< what went wrong, empty if nothing
-  double waited() const;        ///< wall-clock time that push() waited, all together [s]
+  std::string trouble() const;  ///< what went wrong, empty if nothing; once they have ended
+  double waited() const;        ///< wall-clock time that push() waited, all together [s]; for who pushes
 
  private:
   void serve();
-  FramePtr next();
 
   Outputs& outputs_;
   const RunInfo& run_;
-  mutable std::mutex mutex_;         // of all below
-  std::condition_variable changed_;  // any of them
-  std::deque<FramePtr> frames_;
-  bool closed_ = false, failed_ = false, ended_ = false;
-  long taken_ = 0;
-  std::string trouble_;
+  render::BoundedQueue<FramePtr> frames_{depth};
+  std::atomic<long> taken_ = 0;
+  std::string trouble_;  // the thread's own until it has ended
+  std::promise<void> end_;
+  std::future<void> ended_ = end_.get_future();
   double waited_ = 0;
   std::jthread thread_;  // last, so that it finds the rest made
 };

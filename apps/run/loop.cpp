@@ -5,7 +5,6 @@
 
 #include "apps/common/stopwatch.hpp"
 #include "apps/run/frame_queue.hpp"
-#include "solver/errors.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -74,15 +73,24 @@ std::string name(Ending::Status status) {
   return {};
 }
 
+std::string Ending::reason() const {
+  std::string all = failure ? sentence(*failure) : "";
+  add_trouble(all, trouble);
+  return all;
+}
+
 Ending run_loop(Simulation& simulation, Outputs& outputs, const RunInfo& run, Progress& progress,
                 const std::function<bool()>& stop) {
   Ending ending;
   FrameQueue queue(outputs, run);
   try {
     ending.status = step_through(simulation, queue, run, progress, stop);
+  } catch (const RunFailure& error) {
+    ending.status = Ending::Status::failed;
+    ending.failure = error.failure;
   } catch (const std::exception& error) {
     ending.status = Ending::Status::failed;
-    ending.reason = error.what();
+    ending.trouble = error.what();
   }
   ending.time = simulation.time();
   const double rest = drain(queue, progress);
@@ -90,7 +98,7 @@ Ending run_loop(Simulation& simulation, Outputs& outputs, const RunInfo& run, Pr
   ending.waited = queue.waited() + rest;
   ending.frames = queue.taken();
   if (!queue.trouble().empty()) ending.status = Ending::Status::failed;
-  add_trouble(ending.reason, queue.trouble());
+  add_trouble(ending.trouble, queue.trouble());
   return ending;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "apps/common/progress.hpp"
 #include "apps/run/outputs.hpp"
+#include "solver/errors.hpp"
 #include "solver/simulation.hpp"
 
 namespace seiche::apps {
@@ -12,10 +14,14 @@ namespace seiche::apps {
 struct Ending {
   enum class Status { finished, failed, interrupted };
   Status status = Status::finished;
-  std::string reason;  ///< of a failure
-  long frames = 0;     ///< handed to every sink
-  double time = 0;     ///< simulated [s]
-  double waited = 0;   ///< for the outputs, with nothing else to do: wall-clock [s]
+  std::optional<Failure> failure;  ///< of the simulation
+  std::string trouble;             ///< of the outputs, or anything else that isn't the simulation's
+  long frames = 0;                 ///< handed to every sink
+  double time = 0;                 ///< simulated [s]
+  double waited = 0;               ///< for the outputs, with nothing else to do: wall-clock [s]
+
+  /// Why it failed, as in "stopped at t = 0.0190 s, step 36: ...; the disk is full"; empty where it didn't.
+  std::string reason() const;
 };
 
 /// As in "finished".

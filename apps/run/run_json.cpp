@@ -1,9 +1,12 @@
 #include "apps/run/run_json.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "apps/common/schema.hpp"
 #include "apps/run/run_info.hpp"
 #include "apps/scene/lists.hpp"
 #include "apps/scene/options.hpp"
@@ -48,10 +51,20 @@ Json samples(const Scene& scene) {
   return result;
 }
 
+// Coordinates that aren't finite are null.
+Json failure(const Failure& failure) {
+  Json result{{"time_s", failure.time}, {"step", failure.step}, {"cause", failure.cause}};
+  if (!failure.detail.empty()) result["detail"] = failure.detail;
+  if (const auto& place = failure.place)
+    result["place"] = {{"kind", name(place->kind)}, {"particle", place->id}, {"position_m", place->position}};
+  return result;
+}
+
 Json ending(const std::optional<Ending>& ending) {
   if (!ending) return Json::object({{"status", "running"}});
   Json result = Json::object({{"status", name(ending->status)}, {"time_s", ending->time}, {"frames", ending->frames}});
-  if (!ending->reason.empty()) result["reason"] = ending->reason;
+  if (ending->failure) result["failure"] = failure(*ending->failure);
+  if (!ending->trouble.empty()) result["trouble"] = ending->trouble;
   return result;
 }
 
@@ -123,6 +136,16 @@ std::vector<double> numbers(const nlohmann::json& json) {
   return values;
 }
 
+Failure read_failure(const nlohmann::json& json) {
+  Failure failure{json.at("time_s"), json.at("step"), json.at("cause"), json.value("detail", ""), {}};
+  const auto found = json.find("place");
+  if (found == json.end()) return failure;
+  failure.place = {Kind::fluid, found->at("particle"), numbers(found->at("position_m"))};
+  for (const Kind kind : {Kind::wall, Kind::dummy})
+    if (found->at("kind") == name(kind)) failure.place->kind = kind;
+  return failure;
+}
+
 std::optional<Ending> read_ending(const nlohmann::json& json) {
   const std::string status = json.at("status");
   if (status == "running") return {};
@@ -131,8 +154,16 @@ std::optional<Ending> read_ending(const nlohmann::json& json) {
     if (status == name(each)) ending.status = each;
   ending.time = json.at("time_s");
   ending.frames = json.at("frames");
-  ending.reason = json.value("reason", "");
+  if (const auto found = json.find("failure"); found != json.end()) ending.failure = read_failure(*found);
+  ending.trouble = json.value("trouble", "");
   return ending;
+}
+
+// How a run that can't be read is made anew.
+std::string remedy(const nlohmann::json& json, const std::filesystem::path& folder) {
+  const auto file = nlohmann::json::json_pointer("/scene/file");
+  return fmt::format("make it anew with `seiche run {} -o {} --overwrite` and the settings it had",
+                     json.contains(file) ? json[file].get<std::string>() : "SCENE", folder.string());
 }
 
 void read_statistics(const nlohmann::json& json, Statistics& s) {
@@ -157,6 +188,7 @@ void read_statistics(const nlohmann::json& json, Statistics& s) {
 
 void write_run_json(const std::filesystem::path& file, const Scene& scene, const RunRecord& record) {
   Json json{{"seiche", version()},
+            {schema_key, run_schema},
             {"scene", {{"name", scene.name}, {"file", scene.file}, {"hash", scene_hash(scene)}}},
             {"run", ending(record.ending)},
             {"particles", particles(record.statistics)},
@@ -176,7 +208,8 @@ void write_samples(const std::filesystem::path& file, const Scene& scene) {
   render::write_file(file, samples(scene).dump() + "\n");
 }
 
-void read_run_json(const nlohmann::json& json, Scene& scene, RunRecord& record) {
+void read_run_json(const nlohmann::json& json, const std::filesystem::path& folder, Scene& scene, RunRecord& record) {
+  check_schema(json, run_schema, remedy(json, folder));
   scene = {};
   scene.name = json.at("scene").at("name");
   scene.file = json.at("scene").at("file");

@@ -17,6 +17,9 @@ struct RunRecord {
   Times times;
 };
 
+/// Schema version of run.json, and of the samples beside it.
+constexpr int run_schema = 1;
+
 /// Writes the record as JSON, to a temporary file first, so that a reader never finds half of one.
 /// Throws std::runtime_error.
 void write_run_json(const std::filesystem::path& file, const Scene& scene, const RunRecord& record);
@@ -26,8 +29,9 @@ void write_run_json(const std::filesystem::path& file, const Scene& scene, const
 void write_samples(const std::filesystem::path& file, const Scene& scene);
 
 /// The scene and the record that write_run_json was given, but for samples and times of stages. Throws nlohmann's
-/// exceptions, and std::invalid_argument with the key that doesn't fit.
-void read_run_json(const nlohmann::json& json, Scene& scene, RunRecord& record);
+/// exceptions, and std::invalid_argument with the key that doesn't fit, or of another schema version than run_schema.
+/// @param folder of the run, for messages
+void read_run_json(const nlohmann::json& json, const std::filesystem::path& folder, Scene& scene, RunRecord& record);
 
 /// Adds what write_samples was given. Throws nlohmann's exceptions.
 void read_samples(const nlohmann::json& json, Scene& scene);

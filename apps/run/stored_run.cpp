@@ -50,7 +50,7 @@ StoredRun read_run(const fs::path& folder) {
   run.folder = folder;
   try {
     const auto json = nlohmann::json::parse(render::read_file(file));
-    read_run_json(json, run.scene, run.record);
+    read_run_json(json, folder, run.scene, run.record);
     if (const fs::path more = files_of(run).samples(); fs::exists(more))
       read_samples(nlohmann::json::parse(render::read_file(file = more)), run.scene);
     run.info = run_info(run.scene);

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "apps/common/errors.hpp"
 #include "apps/scene/curve_sensors.hpp"
 #include "apps/scene/list_settings.hpp"
 #include "apps/scene/references.hpp"
-#include "apps/scene/scene_file.hpp"
 
 namespace seiche::apps {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 #include <string>
 
-#include "apps/scene/scene_file.hpp"
 #include "solver/parameters.hpp"
 
 namespace seiche::apps {

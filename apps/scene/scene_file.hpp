@@ -1,17 +1,12 @@
 #pragma once
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "apps/common/errors.hpp"
 #include "apps/scene/overrides.hpp"
 #include "apps/scene/scene.hpp"
 
 namespace seiche::apps {
-
-/// Everything that is wrong with a scene, one message a line, each with file:line:column or the flag at fault.
-struct BadScene : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Reads a scene: the preset first, then the file's keys, then the overrides; of two overrides of a key the last one
 /// wins. Then reads its motion file and its references, whose paths start from the scene's folder, and checks what

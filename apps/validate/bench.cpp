@@ -10,7 +10,7 @@
 #include "apps/scene/scene_file.hpp"
 #include "solver/make_simulation.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 class Recorder : public Sink {
@@ -48,23 +48,21 @@ void add_gauges(Parameters& p, const std::vector<double>& stations) {
 }
 
 // Lines at every 5 % would drown the figures.
-apps::Progress::Style style() {
-  return isatty(STDOUT_FILENO) ? apps::Progress::Style::bar : apps::Progress::Style::none;
-}
+Progress::Style style() { return isatty(STDOUT_FILENO) ? Progress::Style::bar : Progress::Style::none; }
 
 }  // namespace
 
 std::string station_column(std::size_t k) { return "eta_" + station_name(k) + " [m]"; }
 
-apps::Scene Bench::scene(const std::string& name, const std::vector<std::string>& settings) const {
-  std::vector<apps::Override> overrides;
-  for (const std::string& setting : settings) overrides.push_back(apps::parse_set(setting));
-  return apps::read_scene((scenes_ / (name + ".toml")).string(), overrides);
+Scene Bench::scene(const std::string& name, const std::vector<std::string>& settings) const {
+  std::vector<Override> overrides;
+  for (const std::string& setting : settings) overrides.push_back(parse_set(setting));
+  return read_scene((scenes_ / (name + ".toml")).string(), overrides);
 }
 
 Recording Bench::attempt(const std::string& name, const std::vector<std::string>& settings, const Look& look,
                          const std::vector<double>& stations) {
-  apps::Scene scene = this->scene(name, settings);
+  Scene scene = this->scene(name, settings);
   scene.parameters.threads = threads_;
   add_gauges(scene.parameters, stations);
   const auto simulation = make_simulation(scene.parameters, 1 / scene.output.probe_rate);
@@ -72,25 +70,25 @@ Recording Bench::attempt(const std::string& name, const std::vector<std::string>
   Recording recording;
   recording.parameters = scene.parameters;
   recording.stations = stations;
-  apps::Outputs outputs;
+  Outputs outputs;
   outputs.add("recorder", std::make_unique<Recorder>(recording, look));
-  apps::Progress progress(style());
-  const apps::Stopwatch watch;
-  const apps::Ending ending = apps::run_loop(*simulation, outputs, apps::run_info(scene), progress, stop_);
-  fmt::print("  {} {}: {:g} s in {}{}{}\n", name, fmt::join(settings, " "), ending.time,
-             apps::clock_text(watch.seconds()), ending.reason.empty() ? "" : "; ", ending.reason);
+  Progress progress(style());
+  const Stopwatch watch;
+  const Ending ending = run_loop(*simulation, outputs, run_info(scene), progress, stop_);
+  fmt::print("  {} {}: {:g} s in {}{}{}\n", name, fmt::join(settings, " "), ending.time, clock_text(watch.seconds()),
+             ending.reason().empty() ? "" : "; ", ending.reason());
   std::fflush(stdout);
-  if (ending.status == apps::Ending::Status::interrupted) throw Interrupted();
+  if (ending.status == Ending::Status::interrupted) throw Interrupted();
   recording.statistics = simulation->statistics();
   recording.end = ending.time;
-  recording.failure = ending.reason;
+  recording.failure = ending.reason();
   return recording;
 }
 
 Recording Bench::run(const std::string& name, const std::vector<std::string>& settings, const Look& look,
                      const std::vector<double>& stations) {
   Recording recording = attempt(name, settings, look, stations);
-  if (!recording.failure.empty()) throw RunFailure(recording.failure);
+  if (!recording.failure.empty()) throw std::runtime_error(recording.failure);
   return recording;
 }
 
@@ -98,4 +96,4 @@ Series Bench::reference(const std::string& file, const std::string& over, const 
   return read_series(scenes_ / "reference" / (file + ".csv"), over, column);
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "apps/common/series.hpp"
 #include "apps/scene/scene.hpp"
-#include "apps/validate/series.hpp"
 #include "solver/frame.hpp"
 #include "solver/run_info.hpp"
 #include "solver/statistics.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 /// The user has stopped the runs.
 struct Interrupted : std::runtime_error {
@@ -45,11 +45,11 @@ class Bench {
 
   bool quick() const { return quick_; }
 
-  /// The scene NAME.toml with settings such as "particles.spacing=0.01". Throws apps::BadScene.
-  apps::Scene scene(const std::string& name, const std::vector<std::string>& settings) const;
+  /// The scene NAME.toml with settings such as "particles.spacing=0.01". Throws BadScene.
+  Scene scene(const std::string& name, const std::vector<std::string>& settings) const;
 
-  /// Runs it to its end, with wave gauges at the stations beside its own sensors. Throws RunFailure where the end isn't
-  /// reached, Interrupted, BadScene.
+  /// Runs it to its end, with wave gauges at the stations beside its own sensors. Throws std::runtime_error where the
+  /// end isn't reached, Interrupted, BadScene.
   Recording run(const std::string& name, const std::vector<std::string>& settings, const Look& look = {},
                 const std::vector<double>& stations = {});
 
@@ -67,4 +67,4 @@ class Bench {
   std::function<bool()> stop_;
 };
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -7,7 +7,7 @@
 #include "apps/validate/figure.hpp"
 #include "render/outputs.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 /// One chart of the page.
 struct Chart {
@@ -29,14 +29,4 @@ struct Case {
   std::function<Findings(Bench&)> run;
 };
 
-/// All of the program's, in the order of the table.
-std::vector<Case> all_cases();
-
-Findings still_tank(Bench& bench);
-Findings pan2008(Bench& bench);
-Findings standing_wave(Bench& bench);
-Findings dam_break(Bench& bench);
-Findings roll(Bench& bench);
-Findings paper(Bench& bench);
-
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 std::string number(double value, const std::string& unit) {
@@ -29,10 +29,13 @@ std::string target_text(const Figure& figure) {
 
 std::string verdict(const Figure& figure) {
   if (!figure.target) return "-";
-  if (figure.met()) return "met";
+  if (figure.met()) return figure.known ? "met, no known miss any more" : "met";
   if (std::isnan(figure.value)) return "missed";
   const auto [low, high] = *figure.target;
-  return "missed by " + number(std::max(low - figure.value, figure.value - high), figure.unit);
+  const std::string missed = figure.is_known_miss() ? "known miss"
+                             : figure.known         ? "missed more than known,"
+                                                    : "missed";
+  return missed + " by " + number(std::max(low - figure.value, figure.value - high), figure.unit);
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

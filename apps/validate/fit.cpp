@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 double order(const std::vector<double>& spacings, const std::vector<double>& errors) {
   const auto n = static_cast<Eigen::Index>(spacings.size());
@@ -39,4 +39,4 @@ Oscillation fit_oscillation(const Series& series, double omega) {
   throw std::runtime_error("no damped oscillation fits the series");
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

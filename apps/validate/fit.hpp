@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "apps/validate/series.hpp"
+#include "apps/common/series.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 /// Order of convergence: the slope of the least-squares line through (ln spacing, ln error).
 double order(const std::vector<double>& spacings, const std::vector<double>& errors);
@@ -20,4 +20,4 @@ struct Oscillation {
 /// out, which zero crossings and crests don't do. Throws std::runtime_error where it does not converge.
 Oscillation fit_oscillation(const Series& series, double omega);
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 double longest_step(const Series& series, double period) {
@@ -55,4 +55,4 @@ Difference compare(const Series& reference, const Series& series, const Window& 
   return d;
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

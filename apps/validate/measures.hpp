@@ -1,7 +1,7 @@
 #pragma once
-#include "apps/validate/series.hpp"
+#include "apps/common/series.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 /// What two series are compared over.
 struct Window {
@@ -31,4 +31,4 @@ struct Difference {
 /// max(0.3 periods, 5 median intervals). Throws std::runtime_error where fewer than four times are left.
 Difference compare(const Series& reference, const Series& series, const Window& window);
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 using std::numbers::pi;
 
@@ -37,4 +37,4 @@ Series roll_elevation(const Parameters& p, double step, double end) {
   return left;
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -1,8 +1,8 @@
 #pragma once
-#include "apps/validate/series.hpp"
+#include "apps/common/series.hpp"
 #include "solver/parameters.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 /// omega of mode n of the liquid at rest in the tank [1/s]: omega^2 = g k tanh(k h), k = n pi/L.
 double natural_frequency(const Parameters& p, int n);
@@ -23,4 +23,4 @@ double natural_frequency(const Parameters& p, int n);
 /// Throws std::invalid_argument for another motion.
 Series roll_elevation(const Parameters& p, double step, double end);
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

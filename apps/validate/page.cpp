@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 render::Image draw_page(const std::vector<Chart>& charts) {
   constexpr int columns = 2, width = 1200, height = 640;
@@ -21,4 +21,4 @@ render::Image draw_page(const std::vector<Chart>& charts) {
   return page;
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 std::vector<double> stations(double length, int count) {
   std::vector<double> x(count);
   for (int i = 0; i < count; ++i) x[i] = length * (i + 0.5) / count;
@@ -56,4 +56,4 @@ ProfileDistance profile_distance(const Series& reference, const Series& series, 
   return d;
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -3,7 +3,7 @@
 
 #include "apps/validate/bench.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 /// Middles of `count` equal parts of a tank's length [m].
 std::vector<double> stations(double length, int count);
@@ -25,4 +25,4 @@ struct ProfileDistance {
 };
 ProfileDistance profile_distance(const Series& reference, const Series& series, double from, double to);
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 void SurfaceFlags::see(const Frame& frame) {
   std::vector<Flag> now;
@@ -37,4 +37,4 @@ double SurfaceFlags::changing(double from, double to) const {
                     : std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

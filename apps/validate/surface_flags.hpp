@@ -4,7 +4,7 @@
 
 #include "solver/frame.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 /// Counts how many fluid particles join or leave the free surface between the frames of a run.
 class SurfaceFlags {
@@ -32,4 +32,4 @@ class SurfaceFlags {
   std::vector<Pair> pairs_;
 };
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -17,7 +17,7 @@
 
 namespace fs = std::filesystem;
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 std::vector<Case> chosen(const std::vector<Case>& cases, const std::vector<std::string>& names) {
@@ -30,7 +30,7 @@ std::vector<Case> chosen(const std::vector<Case>& cases, const std::vector<std::
   }
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const auto guess = apps::nearest(name, known);
+    const auto guess = nearest(name, known);
     throw std::invalid_argument(
         fmt::format("there is no case '{}'; {}", name,
                     guess ? fmt::format("did you mean '{}'?", *guess) : "`seiche validate --list` shows all"));
@@ -38,9 +38,11 @@ std::vector<Case> chosen(const std::vector<Case>& cases, const std::vector<std::
   return result;
 }
 
-Outcome outcome_of(const Case& each, Bench& bench) {
+Outcome outcome_of(const Case& each, Bench& bench, const std::vector<KnownMissOf>& known) {
   try {
-    return {each.name, each.run(bench), {}};
+    Outcome outcome{each.name, each.run(bench), {}};
+    mark_known_misses(each.name, outcome.findings.figures, known);
+    return outcome;
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {
@@ -55,16 +57,15 @@ void write(const fs::path& folder, const std::vector<Outcome>& outcomes) {
   for (const Outcome& outcome : outcomes)
     charts.insert(charts.end(), outcome.findings.charts.begin(), outcome.findings.charts.end());
   if (!charts.empty())
-    render::write_png(folder / "figures.png", draw_page(charts),
-                      {{"Software", fmt::format("seiche {}", apps::version())}});
+    render::write_png(folder / "figures.png", draw_page(charts), {{"Software", fmt::format("seiche {}", version())}});
 }
 
 int exit_code(const std::vector<Outcome>& outcomes, bool interrupted) {
   if (interrupted) return apps::interrupted;
-  int code = apps::done;
+  int code = done;
   for (const Outcome& outcome : outcomes) {
-    if (!outcome.failure.empty()) return apps::failed;
-    if (!outcome.met()) code = apps::over_threshold;
+    if (!outcome.failure.empty()) return failed;
+    if (!outcome.passed()) code = over_threshold;
   }
   return code;
 }
@@ -78,22 +79,22 @@ fs::path find_scenes() {
   return fs::is_directory(installed) ? installed : fs::path(SEICHE_SOURCE_SCENES);
 }
 
-int validate(const Request& request, const std::vector<Case>& cases) {
+int validate(const Request& request, const std::vector<Case>& cases, const std::vector<KnownMissOf>& known) {
   const std::vector<Case> asked = chosen(cases, request.only);
   const fs::path scenes = request.scenes.empty() ? find_scenes() : request.scenes;
   if (request.list) {
     for (const Case& each : asked) fmt::print("{:<14} {}\n", each.name, each.shows);
     fmt::print("with the scenes and references of {}\n", scenes.string());
-    return apps::done;
+    return done;
   }
   if (!fs::is_directory(scenes / "reference"))
     throw std::invalid_argument(fmt::format("{} is no folder of scenes: it has no reference/", scenes.string()));
-  const apps::OutputFolder folder{request.folder, "validate"};
+  const OutputFolder folder{request.folder, "validate"};
   folder.check(request.overwrite);
   render::gl_description();  // before hours are spent
   fs::create_directories(request.folder);
 
-  const apps::SignalWatch signals;
+  const SignalWatch signals;
   Bench bench(scenes, request.quick, request.threads > 0 ? request.threads : omp_get_num_procs(),
               [&] { return signals.caught(); });
   std::vector<Outcome> outcomes;
@@ -102,7 +103,7 @@ int validate(const Request& request, const std::vector<Case>& cases) {
     fmt::print("{}: {}\n", each.name, each.shows);
     std::fflush(stdout);
     try {
-      outcomes.push_back(outcome_of(each, bench));
+      outcomes.push_back(outcome_of(each, bench, known));
     } catch (const Interrupted&) {
       interrupted = true;
       break;
@@ -115,4 +116,4 @@ int validate(const Request& request, const std::vector<Case>& cases) {
   return exit_code(outcomes, interrupted);
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

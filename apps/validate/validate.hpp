@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "apps/validate/case.hpp"
+#include "apps/validate/known_misses.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 /// What the command line of `seiche validate` asks for.
 struct Request {
@@ -23,8 +24,8 @@ std::filesystem::path find_scenes();
 
 /// `seiche validate`: runs the cases asked for, prints their figures, and writes table.md, table.csv and figures.png
 /// into the folder. Returns what the program exits with: 130 when it was interrupted, 1 if a case failed, 3 if a figure
-/// misses its target, 0 else. The files hold what was found until then.
-/// Throws std::invalid_argument for a case or a folder that isn't there, apps::BadFolder, render::NoGl.
-int validate(const Request& request, const std::vector<Case>& cases);
+/// misses its target and that isn't a known miss, 0 else. The files hold what was found until then.
+/// Throws std::invalid_argument for a case or a folder that isn't there, BadFolder, render::NoGl.
+int validate(const Request& request, const std::vector<Case>& cases, const std::vector<KnownMissOf>& known);
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

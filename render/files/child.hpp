@@ -1,11 +1,10 @@
 #pragma once
-#include <sys/types.h>
-
-#include <cstdio>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "render/system/descriptor.hpp"
+#include "render/system/process.hpp"
 
 namespace seiche::render {
 
@@ -15,7 +14,7 @@ class Child {
  public:
   /// arguments[0] is looked for on PATH. Throws std::system_error when it can't be started.
   explicit Child(const std::vector<std::string>& arguments);
-  ~Child();  ///< closes the input and waits
+  ~Child();  ///< closes the input and waits, so that what it has been fed is not lost
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
@@ -30,14 +29,11 @@ class Child {
   std::string errors() const;
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  // Files without a name rather than pipes: nobody has to empty them while the child runs.
-  std::unique_ptr<std::FILE, Close> output_{std::tmpfile()}, errors_{std::tmpfile()};
-  pid_t process_ = -1;
-  int input_ = -1;
-  bool succeeded_ = false;
+  Process start(const std::vector<std::string>& arguments);
+
+  File output_ = temporary_file(), errors_ = temporary_file();
+  Descriptor input_;
+  Process process_;
 };
 
 }  // namespace seiche::render

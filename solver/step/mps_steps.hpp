@@ -241,10 +241,10 @@ void Mps<D>::solve_system() {
   totals_.last_residual = report.residual;
   totals_.worst_residual = std::max(totals_.worst_residual, report.residual);
   if (!report.converged)
-    throw RunFailure(fmt::format(
-        "stopped at t = {:.4f} s, step {}: the pressure solver '{}' did not converge ({} iterations, "
-        "relative residual {:.2g}, asked for {:.2g})",
-        s_.time, s_.step, name(p_.pressure.solver), report.iterations, report.residual, p_.pressure.tolerance));
+    throw RunFailure({s_.time, s_.step,
+                      fmt::format("the pressure solver '{}' did not converge", name(p_.pressure.solver)),
+                      fmt::format("{} iterations, relative residual {:.2g}, asked for {:.2g}", report.iterations,
+                                  report.residual, p_.pressure.tolerance)});
 }
 
 /// u = u* - dt/rho grad p, equations (15) and (16); leaves the change of velocity in `change_`.

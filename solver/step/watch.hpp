@@ -12,7 +12,7 @@
 
 namespace seiche::solver {
 
-/// Stops a run that has gone wrong, with a sentence that says when, where and why.
+/// Stops a run that has gone wrong, and says when, where and why.
 template <int D>
 class Watch {
  public:
@@ -46,18 +46,16 @@ class Watch {
         s, [&](int k) { return !std::isfinite(s.velocity[k].squaredNorm() + s.position[k].sum() + s.pressure[k]); });
     if (i < 0)
       throw RunFailure(
-          fmt::format("stopped at t = {:.4f} s, step {}: the source of the pressure equation is not finite (two "
-                      "particles in one place)",
-                      s.time, s.step));
+          {s.time, s.step, "the source of the pressure equation is not finite", "two particles in one place"});
     fail(s, i, "a velocity, position or pressure is not a finite number");
   }
 
   /// Throws when more than 5 % of the fluid has gone through the walls.
   void check_leaks(const State<D>& s, const Statistics& totals, long fluid_at_start) const {
     if (totals.leaked * 20 > fluid_at_start)
-      throw RunFailure(fmt::format(
-          "stopped at t = {:.4f} s, step {}: {} of {} fluid particles leaked through the walls, more than 5 %", s.time,
-          s.step, totals.leaked, fluid_at_start));
+      throw RunFailure({s.time, s.step,
+                        fmt::format("{} of {} fluid particles leaked through the walls, more than 5 %", totals.leaked,
+                                    fluid_at_start)});
   }
 
   /// Throws when the step rule has stayed under 1e-3 of its cap for 100 steps.
@@ -65,9 +63,9 @@ class Watch {
     short_steps_ = rule < 1e-3 * cap_ ? short_steps_ + 1 : 0;
     if (short_steps_ >= 100)
       throw RunFailure(
-          fmt::format("stopped at t = {:.4f} s, step {}: the time step has been {:.2g} s, under a thousandth of its "
-                      "cap of {:.2g} s, for 100 steps",
-                      s.time, s.step, rule, cap_));
+          {s.time, s.step,
+           fmt::format("the time step has been {:.2g} s, under a thousandth of its cap of {:.2g} s, for 100 steps",
+                       rule, cap_)});
   }
 
  private:
@@ -86,11 +84,8 @@ class Watch {
   }
 
   [[noreturn]] static void fail(const State<D>& s, int i, const std::string& why) {
-    static constexpr const char* kinds[] = {"fluid", "wall", "dummy"};
-    std::string where = fmt::format("x = {:.4g} m, y = {:.4g} m", s.position[i][0], s.position[i][1]);
-    if constexpr (D == 3) where += fmt::format(", z = {:.4g} m", s.position[i][2]);
-    throw RunFailure(fmt::format("stopped at t = {:.4f} s, step {}: {} ({} particle {} at {})", s.time, s.step, why,
-                                 kinds[static_cast<int>(s.kind[i])], s.id[i], where));
+    const Vec<D>& r = s.position[i];
+    throw RunFailure({s.time, s.step, why, {}, Failure::Particle{s.kind[i], s.id[i], {r.data(), r.data() + D}}});
   }
 
   double speed_limit_, cap_;

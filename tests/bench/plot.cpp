@@ -36,12 +36,12 @@ std::map<std::string, double> grouped(const StepCost& cost) {
   return groups;
 }
 
-validate::Chart by_stage(const std::vector<StepCost>& costs, int threads) {
-  validate::Chart chart{fmt::format("A step with {} thread{}", threads, threads > 1 ? "s" : ""),
-                        particles,
-                        "microseconds a particle",
-                        {},
-                        {render::Scale::decades, render::Scale::decades}};
+apps::validate::Chart by_stage(const std::vector<StepCost>& costs, int threads) {
+  apps::validate::Chart chart{fmt::format("A step with {} thread{}", threads, threads > 1 ? "s" : ""),
+                              particles,
+                              "microseconds a particle",
+                              {},
+                              {render::Scale::decades, render::Scale::decades}};
   for (const auto& [group, time] : grouped(costs.at(0)))
     chart.curves.push_back(curve(group, costs, threads, [&](const StepCost& cost) { return grouped(cost).at(group); }));
   chart.curves.push_back(curve(
@@ -50,7 +50,7 @@ validate::Chart by_stage(const std::vector<StepCost>& costs, int threads) {
 }
 
 template <class F>
-validate::Chart by_threads(const char* title, const char* label, const std::vector<StepCost>& costs, F value) {
+apps::validate::Chart by_threads(const char* title, const char* label, const std::vector<StepCost>& costs, F value) {
   return {title,
           particles,
           label,
@@ -63,9 +63,9 @@ validate::Chart by_threads(const char* title, const char* label, const std::vect
 void plot(const std::filesystem::path& file, const std::vector<StepCost>& costs) {
   const auto iterations = [](const StepCost& cost) { return cost.iterations; };
   const auto bytes = [](const StepCost& cost) { return cost.bytes; };
-  const render::Image page = validate::draw_page({by_stage(costs, 1), by_stage(costs, 2),
-                                                  by_threads("Pressure solver", "iterations a step", costs, iterations),
-                                                  by_threads("Memory", "resident bytes a particle", costs, bytes)});
+  const render::Image page = apps::validate::draw_page(
+      {by_stage(costs, 1), by_stage(costs, 2), by_threads("Pressure solver", "iterations a step", costs, iterations),
+       by_threads("Memory", "resident bytes a particle", costs, bytes)});
   render::write_png(file, page, {});
 }
 

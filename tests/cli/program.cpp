@@ -1,13 +1,9 @@
 #include "tests/cli/program.hpp"
 
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <array>
-#include <csignal>
+#include <cstdio>
 #include <cstdlib>
-#include <stdexcept>
+#include <memory>
 
 namespace seiche::test {
 namespace {
@@ -23,23 +19,18 @@ std::string read_all(std::FILE* file) {
 
 Program::Program(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                  const std::vector<std::string>& environment)
-    : err_(std::tmpfile()) {
-  int ends[2];
-  if (!err_ || pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
-  std::vector<char*> words{const_cast<char*>(SEICHE_PROGRAM)};
-  for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
+    : process_(start(folder, arguments, environment)) {}
 
-  process_ = fork();
-  if (process_ == 0) {
-    for (const std::string& pair : environment) putenv(const_cast<char*>(pair.c_str()));
-    dup2(ends[1], STDOUT_FILENO);
-    dup2(fileno(err_.get()), STDERR_FILENO);
-    if (chdir(folder.c_str()) == 0) execv(words[0], words.data());
-    _exit(127);
-  }
-  close(ends[1]);
-  out_.reset(fdopen(ends[0], "r"));
+render::Process Program::start(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                               const std::vector<std::string>& environment) {
+  std::vector<std::string> words{SEICHE_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  render::Pipe pipe = render::make_pipe();
+  out_.reset(fdopen(pipe.read.release(), "r"));
+  return render::Process({.words = words,
+                          .folder = folder,
+                          .environment = environment,
+                          .files = {{1, pipe.write.number()}, {2, fileno(err_.get())}}});
 }
 
 bool Program::wait_for(const std::string& text) {
@@ -54,14 +45,12 @@ bool Program::wait_for(const std::string& text) {
   return found;
 }
 
-void Program::signal(int number) { kill(process_, number); }
+void Program::signal(int number) { process_.signal(number); }
 
 Result Program::wait() {
   Result result;
   result.out = read_ + read_all(out_.get());
-  int status = 0;
-  waitpid(process_, &status, 0);
-  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  result.code = process_.wait();
   std::rewind(err_.get());
   result.err = read_all(err_.get());
   return result;

@@ -1,11 +1,10 @@
 #pragma once
-#include <sys/types.h>
-
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
+
+#include "render/system/descriptor.hpp"
+#include "render/system/process.hpp"
 
 namespace seiche::test {
 
@@ -29,13 +28,12 @@ class Program {
   Result wait();
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  using File = std::unique_ptr<std::FILE, Close>;
-  pid_t process_;
-  File out_, err_;
+  render::Process start(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                        const std::vector<std::string>& environment);
+
+  render::File out_, err_ = render::temporary_file();
   std::string read_;
+  render::Process process_;
 };
 
 /// Runs it to its end.

@@ -135,8 +135,8 @@ TEST(Run, AFailingRunSaysWhyAndKeepsItsFrames) {
   const fs::path out = scratch / "out/quick";
   const nlohmann::json report = nlohmann::json::parse(read_file(out / "run.json"));
   EXPECT_EQ(report["run"]["status"], "failed");
-  const std::string reason = report["run"]["reason"];
-  EXPECT_NE(result.err.find(reason), std::string::npos);
+  const std::string cause = report["run"]["failure"]["cause"];
+  EXPECT_NE(result.err.find(cause), std::string::npos);
   EXPECT_NE(read_file(out / "report.html").find("stopped at "), std::string::npos);
   const long frames = report["run"]["frames"];
   EXPECT_GE(frames, 2);

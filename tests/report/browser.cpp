@@ -1,7 +1,5 @@
 #include "tests/report/browser.hpp"
 
-#include <fcntl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -35,34 +33,23 @@ void save(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-// The program reads commands from 3 and writes answers to 4.
-[[noreturn]] void become_chromium(int commands, int answers, const std::string& profile) {
-  const int a = fcntl(commands, F_DUPFD, 10), b = fcntl(answers, F_DUPFD, 10), quiet = open("/dev/null", O_WRONLY);
-  dup2(a, 3);
-  dup2(b, 4);
-  close(a);
-  close(b);
-  dup2(quiet, STDOUT_FILENO);
-  dup2(quiet, STDERR_FILENO);
-  execlp("chromium", "chromium", "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-         "--no-first-run", "--disable-background-networking", "--remote-debugging-pipe", profile.c_str(),
-         static_cast<char*>(nullptr));
-  _exit(127);
-}
-
 }  // namespace
 
-Browser::Browser(const std::filesystem::path& folder) {
-  int commands[2], answers[2];
-  if (pipe2(commands, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+// The program reads commands from 3 and writes answers to 4.
+render::Process Browser::start(const std::filesystem::path& profile) {
   std::signal(SIGPIPE, SIG_IGN);
-  const std::string profile = "--user-data-dir=" + folder.string();
-  process_ = fork();
-  if (process_ == 0) become_chromium(commands[0], answers[1], profile);
-  close(commands[0]);
-  close(answers[1]);
-  to_ = commands[1];
-  from_ = answers[0];
+  render::Pipe commands = render::make_pipe(), answers = render::make_pipe();
+  const render::Descriptor quiet = render::null_device();
+  to_ = std::move(commands.write);
+  from_ = std::move(answers.read);
+  return render::Process(
+      {.words = {"chromium", "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                 "--no-first-run", "--disable-background-networking", "--remote-debugging-pipe",
+                 "--user-data-dir=" + profile.string()},
+       .files = {{1, quiet.number()}, {2, quiet.number()}, {3, commands.read.number()}, {4, answers.write.number()}}});
+}
+
+Browser::Browser(const std::filesystem::path& folder) : process_(start(folder)) {
   const json target = call("Target.createTarget", {{"url", "about:blank"}});
   session_ = call("Target.attachToTarget", {{"targetId", target["targetId"]}, {"flatten", true}})["sessionId"];
   for (const char* domain : {"Page", "Runtime", "Log", "Network"}) call(std::string(domain) + ".enable");
@@ -73,18 +60,16 @@ Browser::~Browser() {
     session_.clear();
     call("Browser.close");
   } catch (const std::exception&) {
-    kill(process_, SIGKILL);
+    process_.signal(SIGKILL);
   }
-  close(to_);
-  close(from_);
-  waitpid(process_, nullptr, 0);
+  process_.wait();
 }
 
 json Browser::receive() {
   std::size_t end;
   while ((end = read_.find('\0')) == std::string::npos) {
     std::array<char, 65536> part;
-    const ssize_t count = read(from_, part.data(), part.size());
+    const ssize_t count = read(from_.number(), part.data(), part.size());
     if (count <= 0) throw std::runtime_error("chromium is gone; is Debian's package chromium installed?");
     read_.append(part.data(), static_cast<std::size_t>(count));
   }
@@ -111,7 +96,7 @@ json Browser::call(const std::string& method, json parameters) {
   if (!session_.empty()) command["sessionId"] = session_;
   const std::string text = command.dump() + '\0';
   for (std::size_t done = 0; done < text.size();) {
-    const ssize_t count = write(to_, text.data() + done, text.size() - done);
+    const ssize_t count = write(to_.number(), text.data() + done, text.size() - done);
     if (count < 0) throw std::runtime_error("chromium is gone; is Debian's package chromium installed?");
     done += static_cast<std::size_t>(count);
   }

@@ -1,10 +1,10 @@
 #pragma once
-#include <sys/types.h>
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "render/system/process.hpp"
 
 namespace seiche::test {
 
@@ -50,8 +50,10 @@ class Browser {
   nlohmann::json receive();
   void note(const nlohmann::json& event);
 
-  pid_t process_ = -1;
-  int to_ = -1, from_ = -1;
+  render::Process start(const std::filesystem::path& profile);
+
+  render::Descriptor to_, from_;
+  render::Process process_;
   long last_ = 0;
   bool loaded_ = false;
   std::string session_, read_, page_;

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/scene/scene_file.hpp"
+#include "apps/common/errors.hpp"
 
 namespace seiche::apps {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "apps/common/output_folder.hpp"
+#include "apps/common/errors.hpp"
 
 namespace seiche::test {
 

@@ -47,7 +47,7 @@ class StoredTank {
   void close(Ending::Status status = Ending::Status::finished) {
     const std::string trouble = outputs_.end();
     if (!trouble.empty()) throw std::runtime_error(trouble);
-    record_.ending = Ending{status, "", frames_, 0.02 * static_cast<double>(frames_ - 1)};
+    record_.ending = Ending{status, {}, "", frames_, 0.02 * static_cast<double>(frames_ - 1)};
     write_run_json(folder_.record(), scene_, record_);
   }
 

@@ -28,7 +28,7 @@ ComparedRun run_until(double time, double interval, Status status = Status::fini
   run.run.folder = fmt::format("run-{:.6g}", interval);
   run.run.info.frame_interval = interval;
   run.run.info.end = 10;
-  run.run.record.ending = Ending{status, "stopped at t = 1.0500 s, step 7: it leaks (particle 3)", 0, time, 0};
+  run.run.record.ending = Ending{status, Failure{1.05, 7, "it leaks", "much of it"}, "", 0, time, 0};
   for (long k = 0; static_cast<double>(k) * interval < time + 1e-9; ++k)
     run.frames.push_back({k, static_cast<double>(k) * interval, "x.vtu"});
   if (run.frames.back().time < time - 1e-9) run.frames.push_back({run.frames.back().index + 1, time, "x.vtu"});
@@ -77,13 +77,12 @@ TEST(FrameAt, IsTheLastOneUpToThen) {
 }
 
 TEST(Verdict, OfAFailureIsWhenAndWhy) {
-  EXPECT_EQ(
-      verdict_of({Status::failed, "stopped at t = 0.2294 s, step 9: 61 of 1200 leaked (more of it)", 3, 0.2294, 0}),
-      (std::vector<std::string>{"stopped at 0.229 s", "61 of 1200 leaked"}));
-  EXPECT_EQ(verdict_of({Status::failed, "can't write a: is the disk full?", 3, 0.5, 0}),
+  EXPECT_EQ(verdict_of({Status::failed, Failure{0.2294, 9, "61 of 1200 leaked", "more of it"}, "", 3, 0.2294, 0}),
+            (std::vector<std::string>{"stopped at 0.229 s", "61 of 1200 leaked"}));
+  EXPECT_EQ(verdict_of({Status::failed, {}, "can't write a: is the disk full?", 3, 0.5, 0}),
             (std::vector<std::string>{"stopped at 0.500 s", "can't write a: is the disk full?"}));
-  EXPECT_EQ(verdict_of({Status::finished, "", 3, 10, 0}), (std::vector<std::string>{"finished at 10 s"}));
-  EXPECT_EQ(verdict_of({Status::interrupted, "", 3, 0.5, 0}), (std::vector<std::string>{"interrupted at 0.500 s"}));
+  EXPECT_EQ(verdict_of({Status::finished, {}, "", 3, 10, 0}), (std::vector<std::string>{"finished at 10 s"}));
+  EXPECT_EQ(verdict_of({Status::interrupted, {}, "", 3, 0.5, 0}), (std::vector<std::string>{"interrupted at 0.500 s"}));
 }
 
 TEST(Variant, SaysWhyItsFramesEnd) {
@@ -115,7 +114,7 @@ ComparedRun stored(const Scratch& scratch) {
   scene.parameters.time.end = 0.2;
   const RunInfo info = run_info(scene);
   RunRecord record;
-  record.ending = Ending{Status::finished, "", 3, 0.04, 0};
+  record.ending = Ending{Status::finished, {}, "", 3, 0.04, 0};
   write_run_json(folder / "run.json", scene, record);
   const auto vtu = render::vtu_series(folder);
   const auto probes = probes_csv(folder / "probes.csv");

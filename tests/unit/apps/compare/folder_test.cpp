@@ -47,6 +47,10 @@ TEST(CheckFolder, TakesTheSameComparisonOrALargerOneAgainButNoOther) {
   EXPECT_EQ(asked({"A", "B"}, true), "");
   write_text(folder / "compare.json", "{");
   EXPECT_NE(asked({"A"}).find("compare.json can't be used: "), std::string::npos);
+  write_text(folder / "compare.json", R"({"seiche": "0.1.0", "runs": []})");
+  EXPECT_EQ(asked({"A"}), (folder / "compare.json").string() +
+                              " can't be used: it has no schema version, as those of Seiche 0.1; expected version 1; "
+                              "choose another folder with -o DIR, or replace the comparison with --overwrite");
 }
 
 TEST(FolderLock, IsHeldByOneAtATime) {

@@ -38,15 +38,21 @@ TEST(ReportPage, AsksTheNetworkForNothing) {
 }
 
 TEST(ReportPage, SaysHowEachRunEnded) {
-  ReportRun stopped =
-      test::failed_run("b", 0.229, "stopped at t = 0.2290 s, step 91: 61 of 1200 fluid particles leaked");
-  const ReportRun other = test::failed_run("c", 0.3, "can't write x.vtu: No space left on device");
+  ReportRun stopped = test::failed_run("b", 0.229, "61 of 1200 fluid particles leaked");
+  ReportRun other = test::failed_run("c", 0.3, ""), fast = test::failed_run("f", 0.4, "the speed is beyond the limit");
+  other.run.record.ending->failure.reset();
+  other.run.record.ending->trouble = "can't write x.vtu: No space left on device";
+  fast.run.record.ending->failure->place = Failure::Particle{Kind::fluid, 550, {0.1, 0.25}};
+  fast.run.record.ending->trouble = "ffmpeg was killed";
   ReportRun interrupted = test::report_run("d", 0.5), going = test::report_run("e", 0.7);
   interrupted.run.record.ending->status = Ending::Status::interrupted;
   going.run.record.ending.reset();
   EXPECT_EQ(report::outcome_text(test::report_run("a", 2)), "survived 2 s");
   EXPECT_EQ(report::outcome_text(stopped), "stopped at 0.229 s: 61 of 1200 fluid particles leaked");
   EXPECT_EQ(report::outcome_text(other), "stopped at 0.3 s: can't write x.vtu: No space left on device");
+  EXPECT_EQ(report::outcome_text(fast),
+            "stopped at 0.4 s: the speed is beyond the limit (fluid particle 550 at x = 0.1 m, y = 0.25 m); ffmpeg was "
+            "killed");
   EXPECT_EQ(report::outcome_text(interrupted), "interrupted at 0.5 s");
   EXPECT_EQ(report::outcome_text(going), "unfinished at 0.7 s");
   const std::string html = page_of({"tank", {test::report_run("a", 2), stopped}, {}, {}});

@@ -27,7 +27,7 @@ inline apps::ReportRun report_run(const std::string& label, double end, const Si
   scene.parameters.motion.amplitude = 0.005;
   scene.parameters.time.end = end;
   one.run.info = apps::run_info(scene);
-  one.run.record.ending = apps::Ending{apps::Ending::Status::finished, "", 2, end};
+  one.run.record.ending = apps::Ending{apps::Ending::Status::finished, {}, "", 2, end};
   one.run.record.statistics.least_distance = 0.0042;
   const std::size_t columns = one.run.info.sensors.size();
   for (long k = 0; k <= std::lround(1000 * end); ++k) {
@@ -45,9 +45,9 @@ inline apps::ReportRun report_run(const std::string& label, double end, const Si
   return one;
 }
 
-inline apps::ReportRun failed_run(const std::string& label, double end, const std::string& reason) {
+inline apps::ReportRun failed_run(const std::string& label, double end, const std::string& cause) {
   apps::ReportRun one = report_run(label, end);
-  one.run.record.ending = apps::Ending{apps::Ending::Status::failed, reason, 2, end};
+  one.run.record.ending = apps::Ending{apps::Ending::Status::failed, Failure{end, 36, cause}, "", 2, end};
   return one;
 }
 

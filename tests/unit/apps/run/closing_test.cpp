@@ -26,7 +26,7 @@ TEST(Closing, SaysWhereEverythingThatWasWrittenIs) {
   for (const char* name : {"x.mp4", "frames/000000.png", "x.pvd", "run.json", "report.html"})
     write_text(scratch / name, "");
   const std::string path = scratch.folder();
-  RunRecord record = record_of({Ending::Status::finished, "", 11, 1});
+  RunRecord record = record_of({Ending::Status::finished, {}, "", 11, 1});
   record.times = {{{"solve", 0.6}, {"search", 0.35}, {"shift", 0.05}}, {{"vtu", 1.26}, {"pictures", 25.4}}, 0.65, 65};
   EXPECT_EQ(closing_text(Scene{}, folder, record),
             "Finished at t = 1 s: 11 frames, 100 steps, 12.5 pressure iterations a step, 1:05 of wall time\n"
@@ -39,7 +39,7 @@ TEST(Closing, SaysWhereEverythingThatWasWrittenIs) {
 
 TEST(Closing, SaysWhyARunFailed) {
   const Scratch scratch;
-  RunRecord record = record_of({Ending::Status::failed, "it blew up", 1, 0.25});
+  RunRecord record = record_of({Ending::Status::failed, {}, "it blew up", 1, 0.25});
   record.statistics.steps = 0;
   EXPECT_EQ(closing_text(Scene{}, {scratch.folder(), "x"}, record),
             "the run failed: it blew up\nKept: 1 frame, 0 steps, 0.0 pressure iterations a step, 1:05 of wall time\n");

@@ -15,7 +15,7 @@ class FakeSimulation : public Simulation {
  public:
   explicit FakeSimulation(double fails_at = 1e9) : fails_at_(fails_at) {}
   void step(double until) override {
-    if (time_ >= fails_at_) throw RunFailure("it blew up");
+    if (time_ >= fails_at_) throw RunFailure({time_, 7, "it blew up"});
     time_ = until - time_ < 0.03 ? until : time_ + 0.03;
     ++statistics_.steps;
   }
@@ -110,7 +110,9 @@ TEST_F(LoopTest, AFailureKeepsTheFramesBeforeItAndTheStateThatItBrokeOffIn) {
   FakeSimulation simulation(0.45);
   const Ending ending = go(simulation);
   EXPECT_EQ(ending.status, Ending::Status::failed);
-  EXPECT_EQ(ending.reason, "it blew up");
+  ASSERT_TRUE(ending.failure);
+  EXPECT_EQ(ending.failure->cause, "it blew up");
+  EXPECT_EQ(ending.trouble, "");
   EXPECT_EQ(ending.frames, 6);
   ASSERT_EQ(log.times.size(), 6u);
   EXPECT_EQ(log.times[4], 0.4);
@@ -156,7 +158,8 @@ TEST_F(LoopTest, OneOutputsFailureEndsTheRunAndAllOutputs) {
   FakeSimulation simulation;
   const Ending ending = go(simulation);
   EXPECT_EQ(ending.status, Ending::Status::failed);
-  EXPECT_EQ(ending.reason, "the disk is full");
+  EXPECT_FALSE(ending.failure);
+  EXPECT_EQ(ending.trouble, "the disk is full");
   EXPECT_EQ(ending.frames, 3);
   EXPECT_EQ(log.ends, 1);
   EXPECT_EQ(other.ends, 1);
@@ -168,7 +171,8 @@ TEST_F(LoopTest, AnOutputsFailureEndsARunOfAnyLength) {
   FakeSimulation simulation;
   const Ending ending = go(simulation);
   EXPECT_EQ(ending.status, Ending::Status::failed);
-  EXPECT_EQ(ending.reason, "the disk is full");
+  EXPECT_FALSE(ending.failure);
+  EXPECT_EQ(ending.trouble, "the disk is full");
   EXPECT_EQ(log.ends, 1);
 }
 
@@ -178,7 +182,7 @@ TEST_F(LoopTest, FailuresOfTheRunAndOfAnOutputAreBothTold) {
   FakeSimulation simulation(0.25);
   const Ending ending = go(simulation);
   EXPECT_EQ(ending.status, Ending::Status::failed);
-  EXPECT_EQ(ending.reason, "it blew up; ffmpeg was killed");
+  EXPECT_EQ(ending.reason(), "stopped at t = 0.2600 s, step 7: it blew up; ffmpeg was killed");
   EXPECT_EQ(ending.frames, 4);
 }
 

@@ -24,14 +24,18 @@ TEST(RunJson, SaysThatARunIsStillGoing) { EXPECT_EQ(written({})["run"], (nlohman
 
 TEST(RunJson, TellsHowARunEnded) {
   RunRecord record;
-  record.ending = Ending{Ending::Status::failed, "it blew up", 7, 0.25};
+  record.ending = Ending{Ending::Status::failed, Failure{0.24, 36, "it blew up", "much"}, "the disk is full", 7, 0.25};
   record.times = {{{"solve", 1.5}, {"search", 0.5}}, {{"pictures", 0.75}}, 0.25, 4};
   record.statistics.fluid_particles = 300;
   record.statistics.steps = 40;
   record.statistics.iterations = 100;
   const nlohmann::json json = written(record);
   EXPECT_EQ(json["run"],
-            (nlohmann::json{{"status", "failed"}, {"reason", "it blew up"}, {"frames", 7}, {"time_s", 0.25}}));
+            (nlohmann::json{{"status", "failed"},
+                            {"failure", {{"time_s", 0.24}, {"step", 36}, {"cause", "it blew up"}, {"detail", "much"}}},
+                            {"trouble", "the disk is full"},
+                            {"frames", 7},
+                            {"time_s", 0.25}}));
   EXPECT_EQ(json["scene"]["name"], "b");
   EXPECT_EQ(json["scene"]["file"], "a/b.toml");
   EXPECT_EQ(json["pressure"]["iterations_per_step"], 2.5);
@@ -41,6 +45,8 @@ TEST(RunJson, TellsHowARunEnded) {
   EXPECT_EQ(json["speed"],
             (nlohmann::json{{"particle_steps_per_second", 300 * 40 / 2.0}, {"waited_for_outputs_share", 0.0625}}));
 }
+
+TEST(RunJson, HasASchemaVersion) { EXPECT_EQ(written({})["schema"], run_schema); }
 
 TEST(RunJson, HoldsEveryKey) {
   const nlohmann::json parameters = written({})["parameters"];

@@ -25,6 +25,7 @@ struct StoredRunTest : ::testing::Test {
   Scratch scratch;
   Scene scene;
   RunRecord record;
+  const Failure failure{0.24, 36, "it blew up", {}, Failure::Particle{Kind::wall, 12, {NAN, 0.123456789}}};
 
   void SetUp() override {
     write_text(scratch / "shaker.csv", "t [s],surge [m]\n0,0\n0.1,0.001\n0.2,0.0015\n0.3,0.001\n");
@@ -45,7 +46,7 @@ of = "eta_left"
 file = "theory.csv"
 )");
     scene = read_scene((scratch / "a.toml").string(), {});
-    record.ending = Ending{Ending::Status::failed, "it blew up", 3, 0.25};
+    record.ending = Ending{Ending::Status::failed, failure, "ffmpeg was killed", 3, 0.25};
     record.statistics.steps = 40;
     record.statistics.leaked = 2;
     record.statistics.least_distance = 0.0042;
@@ -76,7 +77,16 @@ TEST_F(StoredRunTest, KnowsHowTheRunEnded) {
   const StoredRun run = stored();
   ASSERT_TRUE(run.record.ending);
   EXPECT_EQ(run.record.ending->status, Ending::Status::failed);
-  EXPECT_EQ(run.record.ending->reason, "it blew up");
+  ASSERT_TRUE(run.record.ending->failure);
+  const Failure& why = *run.record.ending->failure;
+  EXPECT_EQ(sentence(why), sentence(failure));
+  EXPECT_EQ(why.time, failure.time);
+  ASSERT_TRUE(why.place);
+  EXPECT_EQ(why.place->kind, Kind::wall);
+  EXPECT_EQ(why.place->id, 12u);
+  EXPECT_TRUE(std::isnan(why.place->position.at(0)));
+  EXPECT_EQ(why.place->position.at(1), 0.123456789);
+  EXPECT_EQ(run.record.ending->trouble, "ffmpeg was killed");
   EXPECT_EQ(run.record.ending->time, 0.25);
   EXPECT_EQ(run.record.statistics.steps, 40);
   EXPECT_EQ(run.record.statistics.leaked, 2);
@@ -136,6 +146,20 @@ TEST_F(StoredRunTest, RefusesWhatIsNoRun) {
             out.string() + " has no run.json; expected the folder of a run, as `seiche run` leaves it");
   write_text(out / "run.json", "{\"seiche\": ");
   EXPECT_TRUE(refusal_of(out).starts_with((out / "run.json").string() + " can't be used: ")) << refusal_of(out);
+}
+
+TEST_F(StoredRunTest, RefusesAnotherSchemaVersionAndSaysWhatToDo) {
+  const auto out = scratch / "out";
+  const std::string remedy = "make it anew with `seiche run b/x.toml -o " + out.string() +
+                             " --overwrite` and the settings it had",
+                    file = (out / "run.json").string();
+  write_text(out / "run.json", R"({"seiche": "0.1.0", "scene": {"file": "b/x.toml"}})");
+  EXPECT_EQ(refusal_of(out), file +
+                                 " can't be used: it has no schema version, as those of Seiche 0.1; expected "
+                                 "version 1; " +
+                                 remedy);
+  write_text(out / "run.json", R"({"seiche": "9", "schema": 12, "scene": {"file": "b/x.toml"}})");
+  EXPECT_EQ(refusal_of(out), file + " can't be used: its schema version is 12; expected 1; " + remedy);
 }
 
 }  // namespace

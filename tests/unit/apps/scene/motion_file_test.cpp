@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/commands/check.hpp"
+#include "apps/scene/scene_file.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "tests/unit/apps/files.hpp"
 

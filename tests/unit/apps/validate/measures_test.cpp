@@ -6,11 +6,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "apps/validate/filter.hpp"
+#include "apps/common/filter.hpp"
 #include "apps/validate/fit.hpp"
 #include "apps/validate/surface.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 using std::numbers::pi;
@@ -123,4 +123,4 @@ TEST(Fit, FindsADampedOscillation) {
 }
 
 }  // namespace
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 Parameters rolling(double degrees, double frequency) {
@@ -60,4 +60,4 @@ TEST(RollTheory, RefusesOtherMotions) {
 }
 
 }  // namespace
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 // Fluid particles by their ids, a capital letter where the flag is up; a wall particle with its flag up ends each
@@ -63,4 +63,4 @@ TEST(SurfaceFlags, WaterWithoutASurfaceHasNoShare) {
 }
 
 }  // namespace
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -4,7 +4,7 @@
 
 #include "solver/run_info.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 TEST(Stations, AreTheMiddlesOfEqualParts) {
@@ -63,4 +63,4 @@ TEST(Front, IsThatOfTheWaterNotOfDrops) {
 }
 
 }  // namespace
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
-namespace seiche::validate {
+#include "apps/validate/known_misses.hpp"
+
+namespace seiche::apps::validate {
 namespace {
 
 TEST(Figure, IsHeldAgainstItsTarget) {
@@ -16,6 +18,20 @@ TEST(Figure, IsHeldAgainstItsTarget) {
   EXPECT_EQ(verdict_of(0.6, within(0.5)), "missed by 0.1 %");
   EXPECT_EQ(verdict_of(NAN, within(0.5)), "missed");
   EXPECT_EQ(verdict_of(7, {}), "-");
+}
+
+TEST(Figure, MayMissItsTargetForAKnownReasonUpToABound) {
+  const auto figure = [](double value) {
+    return Figure{"", value, "%", at_most(1), KnownMiss{"too coarse", at_most(2)}};
+  };
+  EXPECT_TRUE(figure(1.5).is_known_miss() && !figure(1.5).met());
+  EXPECT_EQ(verdict(figure(1.5)), "known miss by 0.5 %");
+  EXPECT_FALSE(figure(0.5).is_known_miss());
+  EXPECT_EQ(verdict(figure(0.5)), "met, no known miss any more");
+  EXPECT_FALSE(figure(2.5).is_known_miss());
+  EXPECT_EQ(verdict(figure(2.5)), "missed more than known, by 1.5 %");
+  EXPECT_FALSE(figure(NAN).is_known_miss());
+  EXPECT_EQ(verdict(figure(NAN)), "missed");
 }
 
 TEST(Figure, IsWrittenWithItsUnit) {
@@ -39,13 +55,33 @@ TEST(Table, HasARowForEachFigureAndEachFailure) {
             "|  | b, c | 2 | - | - |\n"
             "| two | failed: it blew up | | | |\n");
   EXPECT_EQ(table_csv(outcomes),
-            "case,figure,value,unit,low,high,verdict\n"
-            "one,\"a\",1.5,%,,1,missed by 0.5 %\n"
-            "one,\"b, c\",2,,,,-\n"
-            "two,\"failed: it blew up\",,,,,\n");
-  EXPECT_EQ(count_text(outcomes), "2 figures: 0 met, 1 missed, 1 without a target; 1 cases failed");
+            "case,figure,value,unit,low,high,verdict,reason\n"
+            "one,\"a\",1.5,%,,1,\"missed by 0.5 %\",\"\"\n"
+            "one,\"b, c\",2,,,,\"-\",\"\"\n"
+            "two,\"failed: it blew up\",,,,,,\n");
+  EXPECT_EQ(count_text(outcomes), "2 figures: 0 met, 1 missed, 0 known misses, 1 without a target; 1 cases failed");
   EXPECT_NE(figures_text(outcomes[1]).find("it blew up"), std::string::npos);
 }
 
+TEST(Table, TellsTheReasonOfAKnownMiss) {
+  const Outcome outcome{"one", {{{"a", 1.5, "%", at_most(1), KnownMiss{"too coarse", at_most(2)}}}, {}}, ""};
+  EXPECT_TRUE(outcome.passed());
+  EXPECT_NE(table_md({outcome}).find("| <= 1 % | known miss by 0.5 %: too coarse |\n"), std::string::npos);
+  EXPECT_NE(table_csv({outcome}).find(",\"known miss by 0.5 %\",\"too coarse\"\n"), std::string::npos);
+  EXPECT_NE(figures_text(outcome).find("known miss by 0.5 %: too coarse\n"), std::string::npos);
+  EXPECT_EQ(count_text({outcome}), "1 figures: 0 met, 0 missed, 1 known miss, 0 without a target");
+}
+
+TEST(KnownMisses, AreMarkedByCaseAndFigureWhereThereIsATarget) {
+  const std::vector<KnownMissOf> known{{"one", "a", {"why", at_most(2)}}};
+  std::vector<Figure> figures{{"a", 1.5, "", at_most(1)}, {"b", 1.5, "", at_most(1)}, {"a", 1.5, "", {}}};
+  mark_known_misses("two", figures, known);
+  EXPECT_FALSE(figures[0].known);
+  mark_known_misses("one", figures, known);
+  EXPECT_TRUE(figures[0].is_known_miss());
+  EXPECT_FALSE(figures[1].known);
+  EXPECT_FALSE(figures[2].known) << "as a coarse run may have it";
+}
+
 }  // namespace
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

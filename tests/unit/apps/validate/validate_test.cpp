@@ -9,7 +9,7 @@
 #include "apps/common/output_folder.hpp"
 #include "tests/unit/apps/files.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 // A coarse still tank for a twentieth of a second, and a limit on its greatest speed.
@@ -39,7 +39,7 @@ Request into(const test::Scratch& scratch) {
 
 TEST(Validate, ExitsWith0WhereAllTargetsAreMetAndWritesTheTable) {
   const test::Scratch scratch;
-  EXPECT_EQ(validate(into(scratch), still_water(0.1)), apps::done);
+  EXPECT_EQ(validate(into(scratch), still_water(0.1), {}), apps::done);
   EXPECT_NE(test::read_file(scratch / "out/table.md").find("| still | greatest speed |"), std::string::npos);
   EXPECT_NE(test::read_file(scratch / "out/table.csv").find("still,\"greatest speed\","), std::string::npos);
   EXPECT_EQ(test::read_file(scratch / "out/figures.png").substr(1, 3), "PNG");
@@ -47,8 +47,18 @@ TEST(Validate, ExitsWith0WhereAllTargetsAreMetAndWritesTheTable) {
 
 TEST(Validate, ExitsWith3WhereATargetIsMissed) {
   const test::Scratch scratch;
-  EXPECT_EQ(validate(into(scratch), still_water(-1)), apps::over_threshold);
+  EXPECT_EQ(validate(into(scratch), still_water(-1), {}), apps::over_threshold);
   EXPECT_NE(test::read_file(scratch / "out/table.md").find("missed by 1"), std::string::npos);
+}
+
+TEST(Validate, ExitsWith3ForANewMissAlone) {
+  const auto code = [](double worst) {
+    const test::Scratch scratch;
+    const std::vector<KnownMissOf> known{{"still", "greatest speed", {"it creeps", at_most(worst)}}};
+    return validate(into(scratch), still_water(-1), known);
+  };
+  EXPECT_EQ(code(0.1), apps::done);
+  EXPECT_EQ(code(-0.5), apps::over_threshold) << "worse than is known";
 }
 
 TEST(Validate, ExitsWith1WhereARunFailsAndGoesOnWithTheOthers) {
@@ -58,7 +68,7 @@ TEST(Validate, ExitsWith1WhereARunFailsAndGoesOnWithTheOthers) {
                              return {};
                            }}};
   cases.push_back(still_water(-1).front());
-  EXPECT_EQ(validate(into(scratch), cases), apps::failed);
+  EXPECT_EQ(validate(into(scratch), cases, {}), apps::failed);
   const std::string table = test::read_file(scratch / "out/table.md");
   EXPECT_NE(table.find("| blows-up | failed: "), std::string::npos);
   EXPECT_NE(table.find("| still | greatest speed |"), std::string::npos);
@@ -69,17 +79,17 @@ TEST(Validate, RefusesCasesAndFoldersThatAreNotThere) {
   Request request = into(scratch);
   request.only = {"stil"};
   try {
-    validate(request, still_water(1));
+    validate(request, still_water(1), {});
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "there is no case 'stil'; did you mean 'still'?");
   }
   request = into(scratch);
   request.scenes = scratch.folder();
-  EXPECT_THROW(validate(request, still_water(1)), std::invalid_argument);
+  EXPECT_THROW(validate(request, still_water(1), {}), std::invalid_argument);
   request = into(scratch);
   test::write_text(scratch / "out/notes.txt", "mine");
-  EXPECT_THROW(validate(request, still_water(1)), apps::BadFolder);
+  EXPECT_THROW(validate(request, still_water(1), {}), apps::BadFolder);
 }
 
 TEST(Cases, HaveScenesAndReferencesWhereTheProgramLooks) {
@@ -91,4 +101,4 @@ TEST(Cases, HaveScenesAndReferencesWhereTheProgramLooks) {
 }
 
 }  // namespace
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

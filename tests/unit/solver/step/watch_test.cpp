@@ -39,6 +39,8 @@ struct WatchOf : ::testing::Test {
       act();
       ADD_FAILURE() << "nothing was thrown";
     } catch (const RunFailure& failure) {
+      EXPECT_EQ(failure.failure.time, 1.25);
+      EXPECT_EQ(failure.failure.step, 345);
       for (const auto& word : words)
         EXPECT_NE(std::string(failure.what()).find(word), std::string::npos) << word << " in: " << failure.what();
     }

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "apps/validate/case.hpp"
+#include "apps/validate/cases/cases.hpp"
 #include "apps/validate/fit.hpp"
 #include "apps/validate/modal_theory.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 // What the wave's flow has of the mode at each frame, q = sum u . U / sum U . U over the fluid, U the start's velocity
@@ -71,4 +71,4 @@ Findings standing_wave(Bench& bench) {
   return found;
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "apps/validate/case.hpp"
+#include "apps/validate/cases/cases.hpp"
 #include "apps/validate/measures.hpp"
 #include "apps/validate/modal_theory.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 // The waves of even modes that a roll raises are of second order; half the difference of the walls' elevations is free
 // of them, and of half the scatter of a surface made of particles.
@@ -30,4 +30,4 @@ Findings roll(Bench& bench) {
           {chart}};
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -1,6 +1,6 @@
-#include "apps/validate/case.hpp"
+#include "apps/validate/cases/cases.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 
 std::vector<Case> all_cases() {
   return {
@@ -14,4 +14,4 @@ std::vector<Case> all_cases() {
   };
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

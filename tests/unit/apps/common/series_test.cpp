@@ -1,4 +1,4 @@
-#include "apps/validate/series.hpp"
+#include "apps/common/series.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/unit/apps/files.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps {
 namespace {
 
 TEST(Series, IsLinearBetweenSamplesAndConstantBeyond) {
@@ -49,4 +49,4 @@ TEST(ReadSeries, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace seiche::validate
+}  // namespace seiche::apps

@@ -7,7 +7,7 @@
 #include "apps/validate/surface_flags.hpp"
 
 // The runs of the case "pan2008", what they are held against, and how both are drawn.
-namespace seiche::validate::pan {
+namespace seiche::apps::validate::pan {
 
 constexpr double cut = 10;  ///< noise is what lies above it [Hz]
 
@@ -46,4 +46,4 @@ std::string millimetres(double spacing);
 /// Wall elevation, corner pressure, and the surface at 3 s.
 std::vector<Chart> charts(const std::vector<Run>& runs, const References& theory);
 
-}  // namespace seiche::validate::pan
+}  // namespace seiche::apps::validate::pan

@@ -1,11 +1,11 @@
-#include "apps/validate/filter.hpp"
+#include "apps/common/filter.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
-namespace seiche::validate {
+namespace seiche::apps {
 namespace {
 
 // One pass of the second-order Butterworth high-pass (bilinear transform), at rest on its first sample.
@@ -66,4 +66,4 @@ Series low_pass(const Series& series, double from, double to, double cut) {
   return even;
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps

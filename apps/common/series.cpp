@@ -1,4 +1,4 @@
-#include "apps/validate/series.hpp"
+#include "apps/common/series.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 
 #include "apps/common/csv.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps {
 namespace {
 
-std::size_t place(const apps::Csv& table, const std::string& name) {
+std::size_t place(const Csv& table, const std::string& name) {
   const auto found = std::find(table.titles().begin(), table.titles().end(), name);
   if (found == table.titles().end()) table.refuse_header(fmt::format("there is no column '{}'", name));
   return found - table.titles().begin();
@@ -53,7 +53,7 @@ double rms(const std::vector<double>& values) {
 }
 
 Series read_series(const std::filesystem::path& file, const std::string& over, const std::string& column) {
-  const apps::Csv table = apps::read_csv(file.string(), "reference");
+  const Csv table = read_csv(file.string(), "reference");
   const std::size_t t = place(table, over), y = place(table, column);
   Series series;
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -63,4 +63,4 @@ Series read_series(const std::filesystem::path& file, const std::string& over, c
   return series;
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps

@@ -1,8 +1,8 @@
-#include "apps/validate/filter.hpp"
+#include "apps/common/filter.hpp"
+#include "apps/validate/cases/pan2008_runs.hpp"
 #include "apps/validate/measures.hpp"
-#include "apps/validate/pan2008_runs.hpp"
 
-namespace seiche::validate::pan {
+namespace seiche::apps::validate::pan {
 
 void add_peer_figures(std::vector<Figure>& figures, const Bench& bench, const References& theory, double weight) {
   constexpr const char* peer = "vof_2p5mm_slip_impulsive";
@@ -21,4 +21,4 @@ void add_peer_figures(std::vector<Figure>& figures, const Bench& bench, const Re
                      {}});
 }
 
-}  // namespace seiche::validate::pan
+}  // namespace seiche::apps::validate::pan

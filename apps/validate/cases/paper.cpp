@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "apps/validate/case.hpp"
+#include "apps/validate/cases/cases.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 std::optional<Target> target(const std::string& kernel, double end) {
@@ -37,4 +37,4 @@ Findings paper(Bench& bench) {
   return found;
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

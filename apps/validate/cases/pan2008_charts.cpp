@@ -1,7 +1,7 @@
-#include "apps/validate/pan2008_runs.hpp"
+#include "apps/validate/cases/pan2008_runs.hpp"
 #include "apps/validate/surface.hpp"
 
-namespace seiche::validate::pan {
+namespace seiche::apps::validate::pan {
 namespace {
 
 Series scaled(Series series, double rest, double factor) {
@@ -38,4 +38,4 @@ std::vector<Chart> charts(const std::vector<Run>& runs, const References& theory
   return {level, pressure, profile};
 }
 
-}  // namespace seiche::validate::pan
+}  // namespace seiche::apps::validate::pan

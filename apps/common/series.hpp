@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace seiche::validate {
+namespace seiche::apps {
 
 /// A quantity over time, or over anything else that ascends.
 struct Series {
@@ -25,7 +25,7 @@ double median_interval(const std::vector<double>& t);
 double rms(const std::vector<double>& values);
 
 /// A column of a CSV file with a line of column names, over another one.
-/// Throws apps::BadScene where the file, a column or a number is missing.
+/// Throws BadScene where the file, a column or a number is missing.
 Series read_series(const std::filesystem::path& file, const std::string& over, const std::string& column);
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps

@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "apps/validate/series.hpp"
+#include "apps/common/series.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps {
 
 /// What lies above `cut`: a Butterworth filter of second order run forwards and backwards, so that it is of fourth
 /// order and shifts no phase. Its gain is 1/(1 + (tan(pi cut/rate)/tan(pi f/rate))^4): a half at the cut. The ends are
@@ -23,4 +23,4 @@ double noise(const Series& series, double from, double to, double cut);
 /// What lies below `cut` in [from, to]. Throws as resampled().
 Series low_pass(const Series& series, double from, double to, double cut);
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps

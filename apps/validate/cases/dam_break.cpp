@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "apps/validate/case.hpp"
+#include "apps/validate/cases/cases.hpp"
 #include "apps/validate/surface.hpp"
 
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 /// Root mean square of front(t + shift) - data(t), both in columns.
@@ -48,4 +48,4 @@ Findings dam_break(Bench& bench) {
             {{"run", run.t, run.y}, {"Martin and Moyce 1952", data.t, data.y, render::Mark::points}}}}};
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

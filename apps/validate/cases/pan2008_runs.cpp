@@ -1,10 +1,10 @@
-#include "apps/validate/pan2008_runs.hpp"
+#include "apps/validate/cases/pan2008_runs.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/validate/surface.hpp"
 
-namespace seiche::validate::pan {
+namespace seiche::apps::validate::pan {
 
 References read_references(const Bench& bench) {
   constexpr const char* file = "theory_fnpf_impulsive";
@@ -38,4 +38,4 @@ Run make_run(Bench& bench, double spacing, double end) {
 
 std::string millimetres(double spacing) { return fmt::format("{:g} mm", 1000 * spacing); }
 
-}  // namespace seiche::validate::pan
+}  // namespace seiche::apps::validate::pan

@@ -2,16 +2,16 @@
 
 #include <cmath>
 
-#include "apps/validate/filter.hpp"
+#include "apps/common/filter.hpp"
+#include "apps/validate/cases/pan2008_runs.hpp"
 #include "apps/validate/fit.hpp"
 #include "apps/validate/measures.hpp"
-#include "apps/validate/pan2008_runs.hpp"
 #include "apps/validate/surface.hpp"
 
 // The tank of Pan, Zhang and Lu (2008) against fully nonlinear potential theory. Where theory and two-fluid codes
 // differ among themselves by 2.6 and 4 % in elevation and by 1.2 and 3.4 % in pressure (0.5-4 s, 4-7 s), nothing better
 // than that can be asked of a run.
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 using namespace pan;
@@ -125,4 +125,4 @@ Findings pan2008(Bench& bench) {
   return findings;
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

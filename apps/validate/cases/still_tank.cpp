@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/validate/case.hpp"
+#include "apps/validate/cases/cases.hpp"
 #include "apps/validate/surface.hpp"
 #include "apps/validate/surface_flags.hpp"
 
 // Two tanks at rest, of 0.5 and 20 m. By Froude's law times and speeds grow with the root of the depth, so the large
 // one is run, looked at and judged at the small one's times and speeds.
-namespace seiche::validate {
+namespace seiche::apps::validate {
 namespace {
 
 constexpr double model_depth = 0.2;                // whose times and speeds figures are given in [m]
@@ -99,4 +99,4 @@ Findings still_tank(Bench& bench) {
   return findings;
 }
 
-}  // namespace seiche::validate
+}  // namespace seiche::apps::validate

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "apps/replay/frame_list.hpp"
+#include "apps/scene/overrides.hpp"
+
+namespace seiche::apps {
+
+/// What the command line of `seiche render` or `seiche movie` asks for.
+struct ReplayRequest {
+  std::filesystem::path run;     ///< its folder
+  std::filesystem::path output;  ///< a folder, for `movie` a file; empty: under RUN/render
+  std::string movie = "none";    ///< `render`: one beside the pictures; mp4 | webm | gif | none
+  std::vector<Override> look;
+  Selection frames;
+  double speed = 0;  ///< of the movie, times that of the run; 0: not said
+  double fps = 0;    ///< of the movie; 0: not said
+  bool latest = false;
+  bool quiet = false;
+  bool overwrite = false;
+};
+
+}  // namespace seiche::apps

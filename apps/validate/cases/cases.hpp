@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+#include "apps/validate/case.hpp"
+
+namespace seiche::apps::validate {
+
+/// All of the program's, in the order of the table.
+std::vector<Case> all_cases();
+
+Findings still_tank(Bench& bench);
+Findings pan2008(Bench& bench);
+Findings standing_wave(Bench& bench);
+Findings dam_break(Bench& bench);
+Findings roll(Bench& bench);
+Findings paper(Bench& bench);
+
+}  // namespace seiche::apps::validate
