@@ -17,6 +17,7 @@
 #include "apps/report/report.hpp"
 #include "render/outputs.hpp"
 #include "render/panels/grid_layout.hpp"
+#include "render/check_look.hpp"
 
 namespace fs = std::filesystem;
 

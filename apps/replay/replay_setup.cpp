@@ -15,6 +15,7 @@
 #include "apps/run/run_info.hpp"
 #include "apps/scene/look_change.hpp"
 #include "render/picture/range.hpp"
+#include "render/check_look.hpp"
 
 namespace seiche::apps {
 namespace {

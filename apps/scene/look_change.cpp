@@ -9,6 +9,7 @@
 #include "apps/scene/list_settings.hpp"
 #include "apps/scene/references.hpp"
 #include "apps/scene/scene_file.hpp"
+#include "render/picture/range.hpp"
 
 namespace seiche::apps {
 namespace {

@@ -8,6 +8,7 @@
 #include "render/curves/curve_choice.hpp"
 #include "render/picture/quantity.hpp"
 #include "solver/operators/kernels.hpp"
+#include "render/picture/range.hpp"
 
 namespace seiche::apps {
 namespace {

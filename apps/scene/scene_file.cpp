@@ -15,6 +15,7 @@
 #include "apps/scene/references.hpp"
 #include "apps/scene/toml_settings.hpp"
 #include "solver/make_simulation.hpp"
+#include "render/check_look.hpp"
 
 namespace seiche::apps {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "render/curves/sensor_curve.hpp"
-#include "render/picture/layout.hpp"
+#include "render/picture/places.hpp"
 #include "render/picture/palette.hpp"
 
 class vtkRenderer;

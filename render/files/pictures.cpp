@@ -2,8 +2,9 @@
 #include <exception>
 #include <optional>
 
+#include "render/check_look.hpp"
 #include "render/outputs.hpp"
-#include "render/picture/painter.hpp"
+#include "render/view/painter.hpp"
 #include "render/picture/range.hpp"
 
 namespace seiche::render {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/picture/colour_map.hpp"
-#include "render/picture/layout.hpp"
+#include "render/picture/places.hpp"
 #include "render/picture/polyline.hpp"
 
 class vtkCellArray;

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ std::string tick_label(double value, double step);
 
 /// The smallest range between two round ticks that holds `range`; one of no width becomes [low, low + 1] first.
 Range rounded(Range range);
+
+/// "min,max" as a range; nothing for the named modes. Throws std::invalid_argument on anything else.
+std::optional<Range> parse_range(const std::string& text);
 
 /// Known before the first step, and the same for all runs of one scene. Pressure: [0, 1.5 rho g H], rounded. Speed:
 /// [0, 0.5 sqrt(g H)], rounded: half of what a long wave travels at, which only waves that break go beyond. Number

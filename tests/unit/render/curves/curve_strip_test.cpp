@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "render/picture/painter.hpp"
+#include "render/view/painter.hpp"
 #include "render/picture/palette.hpp"
 #include "render/picture/range.hpp"
 #include "tests/unit/render/synthetic_curves.hpp"

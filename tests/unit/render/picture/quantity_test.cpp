@@ -7,7 +7,7 @@
 
 #include "render/liquid/particles.hpp"
 #include "render/outputs.hpp"
-#include "render/picture/painter.hpp"
+#include "render/view/painter.hpp"
 #include "render/picture/range.hpp"
 #include "tests/unit/render/synthetic.hpp"
 

@@ -1,4 +1,4 @@
-#include "render/picture/tank_view.hpp"
+#include "render/view/tank_view.hpp"
 
 #include <vtkActor.h>
 #include <vtkRenderer.h>

@@ -10,7 +10,7 @@
 #include "render/liquid/surface_line.hpp"
 #include "render/look.hpp"
 #include "render/picture/camera.hpp"
-#include "render/picture/layout.hpp"
+#include "render/picture/places.hpp"
 #include "render/picture/palette.hpp"
 #include "solver/frame.hpp"
 #include "solver/run_info.hpp"

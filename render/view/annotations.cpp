@@ -1,10 +1,11 @@
-#include "render/picture/annotations.hpp"
+#include "render/view/annotations.hpp"
 
 #include <fmt/format.h>
 #include <vtkTextActor.h>
 
 #include <algorithm>
 
+#include "render/picture/layout.hpp"
 #include "render/liquid/arrow.hpp"
 #include "render/liquid/arrow_scale.hpp"
 #include "render/liquid/arrows.hpp"
