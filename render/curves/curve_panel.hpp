@@ -2,9 +2,9 @@
 #include <optional>
 
 #include "render/curves/sensor_curve.hpp"
-#include "render/picture/places.hpp"
 #include "render/picture/overlay.hpp"
 #include "render/picture/palette.hpp"
+#include "render/picture/places.hpp"
 #include "render/picture/polyline.hpp"
 
 namespace seiche::render {

@@ -4,8 +4,8 @@
 
 #include "render/check_look.hpp"
 #include "render/outputs.hpp"
-#include "render/view/painter.hpp"
 #include "render/picture/range.hpp"
+#include "render/view/painter.hpp"
 
 namespace seiche::render {
 namespace {

@@ -15,11 +15,11 @@
 #include "render/panels/compared_curves.hpp"
 #include "render/panels/panel.hpp"
 #include "render/panels/wording.hpp"
-#include "render/view/annotations.hpp"
 #include "render/picture/camera.hpp"
 #include "render/picture/pixels.hpp"
 #include "render/picture/range.hpp"
 #include "render/picture/scalar_bar.hpp"
+#include "render/view/annotations.hpp"
 
 namespace seiche::render {
 namespace {

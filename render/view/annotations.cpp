@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-#include "render/picture/layout.hpp"
 #include "render/liquid/arrow.hpp"
 #include "render/liquid/arrow_scale.hpp"
 #include "render/liquid/arrows.hpp"
 #include "render/liquid/particles.hpp"
 #include "render/liquid/surface_line.hpp"
 #include "render/liquid/surface_sign.hpp"
+#include "render/picture/layout.hpp"
 #include "render/picture/quantity.hpp"
 
 namespace seiche::render {

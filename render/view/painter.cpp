@@ -9,14 +9,14 @@
 #include <stdexcept>
 
 #include "render/check_look.hpp"
-#include "render/picture/layout.hpp"
 #include "render/curves/curve_strip.hpp"
 #include "render/gl/window.hpp"
-#include "render/view/annotations.hpp"
 #include "render/picture/camera.hpp"
+#include "render/picture/layout.hpp"
 #include "render/picture/palette.hpp"
 #include "render/picture/pixels.hpp"
 #include "render/picture/scalar_bar.hpp"
+#include "render/view/annotations.hpp"
 #include "render/view/tank_view.hpp"
 
 namespace seiche::render {
