@@ -10,7 +10,7 @@
 #include <csignal>
 #include <system_error>
 
-#include "render/files/file.hpp"
+#include "render/files.hpp"
 
 namespace seiche::apps::compare {
 namespace {

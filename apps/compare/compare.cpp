@@ -15,9 +15,9 @@
 #include "apps/compare/runs.hpp"
 #include "apps/report/command.hpp"
 #include "apps/report/report.hpp"
-#include "render/outputs.hpp"
-#include "render/panels/grid_layout.hpp"
 #include "render/check_look.hpp"
+#include "render/outputs.hpp"
+#include "render/panels.hpp"
 
 namespace fs = std::filesystem;
 

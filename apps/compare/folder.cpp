@@ -12,7 +12,7 @@
 
 #include "apps/run/run_info.hpp"
 #include "apps/run/stored_run.hpp"
-#include "render/files/file.hpp"
+#include "render/files.hpp"
 
 namespace fs = std::filesystem;
 

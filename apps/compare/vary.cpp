@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "apps/scene/lists.hpp"
-#include "render/curves/curve_choice.hpp"
-#include "render/panels/grid_layout.hpp"
+#include "render/curves.hpp"
+#include "render/panels.hpp"
 
 namespace seiche::apps::compare {
 namespace {

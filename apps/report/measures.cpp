@@ -6,8 +6,8 @@
 
 #include "apps/report/curves.hpp"
 #include "apps/validate/filter.hpp"
-#include "render/curves/curve_choice.hpp"
-#include "render/panels/deviation.hpp"
+#include "render/curves.hpp"
+#include "render/panels.hpp"
 
 namespace seiche::apps::report {
 namespace {

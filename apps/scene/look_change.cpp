@@ -9,7 +9,7 @@
 #include "apps/scene/list_settings.hpp"
 #include "apps/scene/references.hpp"
 #include "apps/scene/scene_file.hpp"
-#include "render/picture/range.hpp"
+#include "render/picture.hpp"
 
 namespace seiche::apps {
 namespace {

@@ -5,9 +5,6 @@
 
 namespace seiche::render {
 
-/// No more runs than this find room in one picture, or colours for their curves.
-constexpr std::size_t most_panels = 9;
-
 /// Widths of the texts above a panel, in font heights.
 struct PanelNeeds {
   double label = 0;  ///< with the piece of curve before it

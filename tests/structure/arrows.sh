@@ -1,7 +1,7 @@
 #!/bin/sh
 # Checks which way includes run: arrows.sh SOURCES FLOORS. Says each that runs upwards (floors.txt), each cycle of units,
-# each folder of more than 20 units, and each file that gets VTK's headers through a header of another room; exits with 1
-# when there is one.
+# each folder of more than 20 units, each file that gets VTK's headers through a header of another room, and each of apps
+# that includes more of render than the headers that stand in no room of it; exits with 1 when there is one.
 set -u
 cd "$1"
 floors="$2"
@@ -39,4 +39,8 @@ awk '
   $2 in vtk && room($1) != room($2) { print $1 " includes VTK by way of " $2 ", a header of another room" }
 ' "$work/vtk_headers" "$work/includes" | tee "$work/vtk"
 
-[ "$upwards" -eq 0 ] && [ ! -s "$work/cycles" ] && [ ! -s "$work/crowded" ] && [ ! -s "$work/vtk" ]
+awk '$1 ~ /^apps\// && $2 ~ /^render\/.*\// { print $1 " includes " $2 ", which is no header of render itself" }' \
+  "$work/includes" | tee "$work/inner"
+
+[ "$upwards" -eq 0 ] && [ ! -s "$work/cycles" ] && [ ! -s "$work/crowded" ] && [ ! -s "$work/vtk" ] &&
+  [ ! -s "$work/inner" ]

@@ -1,0 +1,6 @@
+#pragma once
+#include "render/picture/polyline.hpp"
+#include "render/picture/quantity.hpp"
+#include "render/picture/range.hpp"
+
+// What colours show and how far they reach, round numbers and lines for charts drawn elsewhere.
