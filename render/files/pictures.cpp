@@ -5,6 +5,7 @@
 #include "render/check_look.hpp"
 #include "render/outputs.hpp"
 #include "render/picture/range.hpp"
+#include "render/picture/ticks.hpp"
 #include "render/view/painter.hpp"
 
 namespace seiche::render {

@@ -19,6 +19,7 @@
 #include "render/picture/pixels.hpp"
 #include "render/picture/range.hpp"
 #include "render/picture/scalar_bar.hpp"
+#include "render/picture/ticks.hpp"
 #include "render/view/annotations.hpp"
 
 namespace seiche::render {

@@ -15,7 +15,9 @@
 #include "render/picture/layout.hpp"
 #include "render/picture/palette.hpp"
 #include "render/picture/pixels.hpp"
+#include "render/picture/range.hpp"
 #include "render/picture/scalar_bar.hpp"
+#include "render/picture/ticks.hpp"
 #include "render/view/annotations.hpp"
 #include "render/view/tank_view.hpp"
 
