@@ -1,5 +1,4 @@
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,14 +47,5 @@ struct Look {
 struct Range {
   double low = 0, high = 1;
 };
-
-/// "min,max" as a range; nothing for the named modes. Throws std::invalid_argument on anything else.
-std::optional<Range> parse_range(const std::string& text);
-
-/// Throws std::invalid_argument with the first thing in `look` that can't be drawn.
-void check_look(const Look& look);
-
-/// Throws std::invalid_argument with the first thing in `look` that a run of this dimension can't show.
-void check_dimension(const Look& look, int dimension);
 
 }  // namespace seiche::render

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <vector>
 
-#include "render/files/file.hpp"
+#include "render/files.hpp"
 
 namespace fs = std::filesystem;
 

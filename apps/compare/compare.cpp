@@ -16,8 +16,9 @@
 #include "apps/report/command.hpp"
 #include "apps/report/report.hpp"
 #include "apps/scene/variants.hpp"
+#include "render/check_look.hpp"
 #include "render/outputs.hpp"
-#include "render/panels/grid_layout.hpp"
+#include "render/panels.hpp"
 
 namespace fs = std::filesystem;
 

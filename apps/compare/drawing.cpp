@@ -9,9 +9,9 @@
 
 #include "apps/common/output_folder.hpp"
 #include "apps/compare/runs.hpp"
-#include "render/files/read_vtu.hpp"
+#include "render/files.hpp"
 #include "render/outputs.hpp"
-#include "render/picture/range.hpp"
+#include "render/picture.hpp"
 
 namespace seiche::apps::compare {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "apps/run/stored_run.hpp"
 #include "render/look.hpp"
-#include "render/panels/comparison.hpp"
+#include "render/panels.hpp"
 
 namespace seiche::apps::compare {
 

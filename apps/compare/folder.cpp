@@ -13,7 +13,7 @@
 #include "apps/common/schema.hpp"
 #include "apps/run/run_info.hpp"
 #include "apps/run/stored_run.hpp"
-#include "render/files/file.hpp"
+#include "render/files.hpp"
 
 namespace fs = std::filesystem;
 

@@ -12,8 +12,8 @@
 #include "apps/common/exit_codes.hpp"
 #include "apps/common/stopwatch.hpp"
 #include "apps/run/stored_run.hpp"
-#include "render/files/file.hpp"
-#include "render/system/process.hpp"
+#include "render/files.hpp"
+#include "render/system.hpp"
 
 namespace seiche::apps::compare {
 namespace {

@@ -7,7 +7,8 @@
 
 #include "apps/scene/lists.hpp"
 #include "apps/scene/variants.hpp"
-#include "render/panels/grid_layout.hpp"
+#include "render/curves.hpp"
+#include "render/panels.hpp"
 
 namespace seiche::apps::compare {
 namespace {

@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "render/system/bounded_queue.hpp"
+#include "render/system.hpp"
 
 namespace seiche::apps {
 

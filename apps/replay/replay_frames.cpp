@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "render/files/read_vtu.hpp"
+#include "render/files.hpp"
 
 namespace seiche::apps {
 

@@ -5,8 +5,7 @@
 #include "apps/common/output_folder.hpp"
 #include "apps/replay/replay.hpp"
 #include "apps/replay/replay_setup.hpp"
-#include "render/files/file.hpp"
-#include "render/files/read_png.hpp"
+#include "render/files.hpp"
 
 namespace fs = std::filesystem;
 

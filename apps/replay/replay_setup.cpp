@@ -14,7 +14,8 @@
 #include "apps/replay/replay_frames.hpp"
 #include "apps/run/run_info.hpp"
 #include "apps/scene/look_change.hpp"
-#include "render/picture/range.hpp"
+#include "render/check_look.hpp"
+#include "render/picture.hpp"
 
 namespace seiche::apps {
 namespace {

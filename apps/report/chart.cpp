@@ -7,8 +7,7 @@
 #include <iterator>
 
 #include "apps/report/html.hpp"
-#include "render/picture/polyline.hpp"
-#include "render/picture/range.hpp"
+#include "render/picture.hpp"
 
 namespace seiche::apps::report {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include "render/curves/curve_choice.hpp"
-#include "render/panels/compared_curves.hpp"
-#include "render/picture/range.hpp"
+#include "render/curves.hpp"
+#include "render/panels.hpp"
+#include "render/picture.hpp"
 
 namespace seiche::apps::report {
 namespace {

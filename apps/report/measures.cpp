@@ -6,8 +6,8 @@
 
 #include "apps/common/filter.hpp"
 #include "apps/report/curves.hpp"
-#include "render/curves/curve_choice.hpp"
-#include "render/panels/deviation.hpp"
+#include "render/curves.hpp"
+#include "render/panels.hpp"
 
 namespace seiche::apps::report {
 namespace {

@@ -6,7 +6,7 @@
 #include "apps/common/output_folder.hpp"
 #include "apps/report/curves.hpp"
 #include "apps/report/page.hpp"
-#include "render/files/file.hpp"
+#include "render/files.hpp"
 
 namespace fs = std::filesystem;
 

@@ -8,9 +8,7 @@
 
 #include "apps/report/curves.hpp"
 #include "apps/report/html.hpp"
-#include "render/files/file.hpp"
-#include "render/files/read_png.hpp"
-#include "render/files/small_png.hpp"
+#include "render/files.hpp"
 
 namespace fs = std::filesystem;
 

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "apps/run/outputs.hpp"
-#include "render/system/bounded_queue.hpp"
+#include "render/system.hpp"
 
 namespace seiche::apps {
 

@@ -60,7 +60,7 @@ Outputs make_outputs(const Scene& scene, const OutputFolder& folder) {
     std::vector<std::unique_ptr<render::ImageSink>> takers;
     if (scene.output.pictures) takers.push_back(render::png_series(folder.frames()));
     if (scene.output.movie != "none") takers.push_back(render::movie(folder.movie(scene.output.movie)));
-    outputs.add("pictures", render::pictures(scene.look, std::move(takers)));
+    outputs.add("pictures", render::pictures(scene.look, std::move(takers), folder.path));
   }
   return outputs;
 }

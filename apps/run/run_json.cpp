@@ -11,7 +11,7 @@
 #include "apps/scene/lists.hpp"
 #include "apps/scene/options.hpp"
 #include "apps/scene/scene_text.hpp"
-#include "render/files/file.hpp"
+#include "render/files.hpp"
 
 namespace seiche::apps {
 namespace {

@@ -9,8 +9,8 @@
 #include "apps/common/csv.hpp"
 #include "apps/common/output_folder.hpp"
 #include "apps/run/run_info.hpp"
-#include "render/curves/curve_choice.hpp"
-#include "render/files/file.hpp"
+#include "render/curves.hpp"
+#include "render/files.hpp"
 
 namespace fs = std::filesystem;
 

@@ -9,6 +9,7 @@
 #include "apps/scene/curve_sensors.hpp"
 #include "apps/scene/list_settings.hpp"
 #include "apps/scene/references.hpp"
+#include "render/picture.hpp"
 
 namespace seiche::apps {
 namespace {

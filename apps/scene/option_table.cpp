@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "apps/scene/options.hpp"
-#include "render/curves/curve_choice.hpp"
-#include "render/picture/quantity.hpp"
+#include "render/curves.hpp"
+#include "render/picture.hpp"
 #include "solver/operators/kernels.hpp"
 
 namespace seiche::apps {

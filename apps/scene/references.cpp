@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "apps/common/nearest.hpp"
-#include "render/curves/curve_choice.hpp"
+#include "render/curves.hpp"
 #include "solver/make_simulation.hpp"
 
 namespace seiche::apps {

@@ -14,6 +14,7 @@
 #include "apps/scene/motion_file.hpp"
 #include "apps/scene/references.hpp"
 #include "apps/scene/toml_settings.hpp"
+#include "render/check_look.hpp"
 #include "solver/check_parameters.hpp"
 #include "solver/preset.hpp"
 

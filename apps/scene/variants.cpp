@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "render/curves/curve_choice.hpp"
+#include "render/curves.hpp"
 
 namespace seiche::apps {
 namespace {

@@ -13,7 +13,7 @@
 #include "apps/run/run_info.hpp"
 #include "apps/validate/page.hpp"
 #include "apps/validate/table.hpp"
-#include "render/files/file.hpp"
+#include "render/files.hpp"
 
 namespace fs = std::filesystem;
 

@@ -35,7 +35,7 @@ void style_text(vtkTextProperty* text, double size) {
   text->BoldOff();
 }
 
-void style_axis(vtkAxis* axis, const ChartAxis& plan, double font) {
+void style_axis(vtkAxis* axis, const Axis& plan, double font) {
   axis->SetTitle("");
   style_text(axis->GetLabelProperties(), 0.85 * font);
   axis->GetPen()->SetWidth(static_cast<float>(font / 14));
@@ -45,8 +45,10 @@ void style_axis(vtkAxis* axis, const ChartAxis& plan, double font) {
   axis->GetGridPen()->SetWidth(static_cast<float>(font / 20));
   vtkNew<vtkDoubleArray> places;
   vtkNew<vtkStringArray> labels;
-  for (const double place : plan.places) places->InsertNextValue(place);
-  for (const std::string& label : plan.labels) labels->InsertNextValue(label);
+  for (const Tick& tick : plan.ticks) {
+    places->InsertNextValue(tick.place);
+    labels->InsertNextValue(tick.label);
+  }
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetRange(plan.range.low, plan.range.high);
   axis->SetCustomTickPositions(places, labels);

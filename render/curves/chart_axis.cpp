@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "render/picture/range.hpp"
+#include "render/picture/ticks.hpp"
 
 namespace seiche::render {
 namespace {
@@ -17,25 +17,16 @@ void each_place(const std::vector<Curve>& curves, std::vector<double> Curve::*va
       if (const double place = place_on(scale, value); std::isfinite(place)) f(place);
 }
 
-ChartAxis linear(Range range) {
-  ChartAxis axis{rounded(range), {}, {}};
-  const Ticks ticks = round_ticks(axis.range);
-  axis.places = ticks.values;
-  for (const double value : ticks.values) axis.labels.push_back(tick_label(value, ticks.step));
-  return axis;
-}
-
 // From one of 1, 2 and 5 times powers of ten to another, with all between them marked.
-ChartAxis decades(Range range) {
+Axis decades(Range range) {
   const double high = std::pow(10, range.high);
   double value = round_below(std::pow(10, range.low) * (1 + 1e-9));
-  ChartAxis axis;
+  Axis axis;
   for (bool last = false; !last; value = round_below(2.6 * value)) {
-    last = !axis.places.empty() && value >= high * (1 - 1e-9);
-    axis.places.push_back(std::log10(value));
-    axis.labels.push_back(tick_label(value, round_below(value * (1 + 1e-9))));
+    last = !axis.ticks.empty() && value >= high * (1 - 1e-9);
+    axis.ticks.push_back({std::log10(value), tick_label(value, round_below(value * (1 + 1e-9)))});
   }
-  axis.range = {axis.places.front(), axis.places.back()};
+  axis.range = {axis.ticks.front().place, axis.ticks.back().place};
   return axis;
 }
 
@@ -46,13 +37,13 @@ double place_on(Scale scale, double value) {
   return value > 0 ? std::log10(value) : std::numeric_limits<double>::quiet_NaN();
 }
 
-ChartAxis chart_axis(const std::vector<Curve>& curves, std::vector<double> Curve::*values, Scale scale) {
+Axis chart_axis(const std::vector<Curve>& curves, std::vector<double> Curve::*values, Scale scale) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Range range = scale == Scale::linear ? Range{0, 0} : Range{infinity, -infinity};
   each_place(curves, values, scale, [&](double place) {
     range = {std::min(range.low, place), std::max(range.high, place)};
   });
-  if (scale == Scale::linear) return linear(range);
+  if (scale == Scale::linear) return axis_of(rounded(range));
   return decades(range.low <= range.high ? range : Range{0, 1});
 }
 

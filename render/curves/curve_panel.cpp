@@ -7,25 +7,18 @@
 
 #include "render/curves/curve_key.hpp"
 #include "render/picture/curve_layout.hpp"
-#include "render/picture/range.hpp"
 
 namespace seiche::render {
 namespace {
 
 constexpr double column = 1;  // of time that one pixel shows; finer detail can't be seen
 
-double widest(const Ticks& ticks) {
-  double width = 0;
-  for (const double value : ticks.values) width = std::max(width, text_width(tick_label(value, ticks.step)));
-  return width;
-}
-
-// As many as stand apart.
-Ticks time_ticks(double end, double room) {
+// With as many ticks as stand apart.
+Axis time_axis(double end, double room) {
   int most = most_ticks;
-  const auto fit = [&](const Ticks& ticks) { return most * (widest(ticks) + 1) < room; };
-  while (most > fewest_ticks && !fit(round_ticks({0, end}, most))) --most;
-  return round_ticks({0, end}, most);
+  Axis axis = axis_of({0, end}, most);
+  while (most > fewest_ticks && most * (label_width(axis) + 1) >= room) axis = axis_of({0, end}, --most);
+  return axis;
 }
 
 int most_values(double room) { return std::clamp(static_cast<int>(room / 1.5), fewest_ticks, most_ticks); }
@@ -44,11 +37,12 @@ CurvePanel::CurvePanel(vtkRenderer* renderer, const CurvePlace& place, double fo
       axes_(renderer),
       line_(renderer),
       references_(renderer),
-      mark_(renderer) {}
+      mark_(renderer),
+      times_(time_axis(curve.end, place.plot.width / font_)) {}
 
 Point CurvePanel::at(const Point& point) const {
-  const double along = point[0] / curve_.end, up = (point[1] - range_->low) / (range_->high - range_->low);
-  return {place_.plot.x + along * place_.plot.width, place_.plot.y + up * place_.plot.height};
+  const Box& plot = place_.plot;
+  return {plot.x + times_.along(point[0]) * plot.width, plot.y + values_->along(point[1]) * plot.height};
 }
 
 Line CurvePanel::at(Line line) const {
@@ -58,24 +52,22 @@ Line CurvePanel::at(Line line) const {
 
 void CurvePanel::draw_values() {
   const Box& plot = place_.plot;
-  const Ticks ticks = round_ticks(*range_, most_values(plot.height / font_));
-  for (const double value : ticks.values) {
-    const double y = at({0, value})[1];
+  for (const Tick& tick : values_->ticks) {
+    const double y = at({0, tick.place})[1];
     axes_.box({plot.x, y - thin_ / 2, plot.width, thin_}, colours_.grid);
-    axes_.text(tick_label(value, ticks.step), place_.values.right(), y, font_, Align::right, colours_.ink);
+    axes_.text(tick.label, place_.values.right(), y, font_, Align::right, colours_.ink);
   }
 }
 
 void CurvePanel::draw_times() {
   const Box& plot = place_.plot;
   const double y = middle(place_.times);
-  const Ticks ticks = time_ticks(curve_.end, plot.width / font_);
-  for (const double time : ticks.values) {
-    const double x = at({time, 0})[0];
+  for (const Tick& tick : times_.ticks) {
+    const double x = at({tick.place, 0})[0];
     axes_.box({x - thin_ / 2, plot.y - 0.3 * font_, thin_, 0.3 * font_}, colours_.ink);
-    axes_.text(tick_label(time, ticks.step), x, y, font_, Align::centre, colours_.ink);
+    axes_.text(tick.label, x, y, font_, Align::centre, colours_.ink);
   }
-  const double before = text_width(tick_label(0, ticks.step)) / 2 + name_gap;
+  const double before = text_width(times_.ticks.front().label) / 2 + name_gap;
   axes_.text(time_title, plot.x - before * font_, y, font_, Align::right, colours_.ink);
 }
 
@@ -105,8 +97,8 @@ void CurvePanel::draw_references() {
 void CurvePanel::show(double time) {
   const Box& plot = place_.plot;
   const Range range = axis_range(curve_);
-  if (!range_ || range_->low != range.low || range_->high != range.high) {
-    range_ = range;
+  if (!values_ || values_->range.low != range.low || values_->range.high != range.high) {
+    values_ = axis_of(range, most_values(plot.height / font_));
     draw_axes();
     draw_references();
   }
@@ -118,10 +110,10 @@ void CurvePanel::show(double time) {
 
 void CurvePanel::draw_trace(const Trace& trace, double time) {
   for (const Line& line : thinned(trace.series, time, column * curve_.end / place_.plot.width))
-    for (const Line& part : clipped(line, *range_)) line_.line(at(part), curve_width * font_, trace.colour);
+    for (const Line& part : clipped(line, values_->range)) line_.line(at(part), curve_width * font_, trace.colour);
   const auto reading = latest(trace, time);
   if (!reading) return;
-  const auto [x, y] = at({(*reading)[0], std::clamp((*reading)[1], range_->low, range_->high)});
+  const auto [x, y] = at({(*reading)[0], std::clamp((*reading)[1], values_->range.low, values_->range.high)});
   if (trace.broken_off && trace.series.time.back() < time * (1 - time_slack))
     mark_.cross(x, y, 0.4 * font_, curve_width * font_, trace.colour);
   else

@@ -2,15 +2,13 @@
 #include <optional>
 
 #include "render/curves/sensor_curve.hpp"
-#include "render/picture/layout.hpp"
+#include "render/picture/axis.hpp"
 #include "render/picture/overlay.hpp"
 #include "render/picture/palette.hpp"
+#include "render/picture/places.hpp"
 #include "render/picture/polyline.hpp"
 
 namespace seiche::render {
-
-/// Into how many parts ticks may cut an axis.
-constexpr int fewest_ticks = 2, most_ticks = 8;
 
 /// One sensor's curves over time between their axes: each run's readings up to now, references dashed for the whole
 /// run, and a mark at the present time. A cross stands where a run has failed.
@@ -38,7 +36,8 @@ class CurvePanel {
   const SensorCurve& curve_;
   Palette colours_;
   Overlay axes_, line_, references_, mark_;  // in the order in which they lie over each other
-  std::optional<Range> range_;
+  Axis times_;
+  std::optional<Axis> values_;
 };
 
 }  // namespace seiche::render

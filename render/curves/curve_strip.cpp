@@ -4,20 +4,18 @@
 
 #include "render/curves/curve_key.hpp"
 #include "render/curves/curve_panel.hpp"
+#include "render/picture/axis.hpp"
 #include "render/picture/curve_layout.hpp"
 #include "render/picture/overlay.hpp"
-#include "render/picture/range.hpp"
 
 namespace seiche::render {
 namespace {
 
 // Of the widest label on an axis that is cut into whatever number of parts, in font heights.
-double label_width(Range range) {
+double labels_room(Range range) {
   double width = 0;
-  for (int most = fewest_ticks; most <= most_ticks; ++most) {
-    const Ticks ticks = round_ticks(range, most);
-    for (const double value : ticks.values) width = std::max(width, text_width(tick_label(value, ticks.step)));
-  }
+  for (int most = fewest_ticks; most <= most_ticks; ++most)
+    width = std::max(width, label_width(axis_of(range, most)));
   return curve_font * width;
 }
 
@@ -31,10 +29,10 @@ void CurveStrip::claim(Needs& needs) const {
     CurveNeeds room;
     room.title = curve_font * title_width(curve);
     room.key = curve_font * key_width(curve);
-    room.last_label = label_width({0, curve.end});
+    room.last_label = labels_room({0, curve.end});
     // The name of the times stands in the corner between both axes' labels.
     const double corner = curve_font * (text_width(CurvePanel::time_title) + name_gap) + room.last_label / 2;
-    room.labels = std::max({label_width(axis_range(curve)), label_width(widest_range(curve)), corner});
+    room.labels = std::max({labels_room(axis_range(curve)), labels_room(widest_range(curve)), corner});
     needs.curves.push_back(room);
   }
 }

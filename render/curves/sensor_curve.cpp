@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "render/curves/curve_choice.hpp"
-#include "render/picture/range.hpp"
+#include "render/picture/ticks.hpp"
 
 namespace seiche::render {
 namespace {

@@ -2,16 +2,20 @@
 #include <exception>
 #include <optional>
 
+#include "render/check_look.hpp"
+#include "render/files/frame_spool.hpp"
 #include "render/outputs.hpp"
-#include "render/picture/painter.hpp"
 #include "render/picture/range.hpp"
+#include "render/picture/ticks.hpp"
+#include "render/view/painter.hpp"
 
 namespace seiche::render {
 namespace {
 
 class Pictures : public Sink {
  public:
-  Pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers) : look_(look), takers_(std::move(takers)) {
+  Pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers, std::filesystem::path folder)
+      : look_(look), takers_(std::move(takers)), folder_(std::move(folder)) {
     check_look(look_);
     quantity_ = quantity_of(look_.quantity);
   }
@@ -19,13 +23,14 @@ class Pictures : public Sink {
   void begin(const RunInfo& run) override {
     painter_.emplace(run, look_);
     fixed_ = fixed_range(run, look_);
+    if (look_.range == "run" && !fixed_) spool_.emplace(folder_);
     for (const auto& taker : takers_) taker->begin(run, look_.width, look_.height);
   }
 
   void frame(const FramePtr& frame) override {
     painter_->record(frame->readings);
-    if (look_.range == "run" && !fixed_)
-      kept_.push_back(frame);
+    if (spool_)
+      keep(*frame);
     else
       draw(*frame, fixed_ ? *fixed_ : rounded(fluid_range(*frame, quantity_)));
   }
@@ -50,19 +55,17 @@ class Pictures : public Sink {
     for (const auto& taker : takers_) taker->image(image, frame);
   }
 
+  void keep(const Frame& frame) {
+    const Range range = fluid_range(frame, quantity_);
+    spool_->write(frame);
+    whole_ = whole_ ? Range{std::min(whole_->low, range.low), std::max(whole_->high, range.high)} : range;
+  }
+
   void draw_kept() {
-    if (kept_.empty()) return;
-    Range whole = fluid_range(*kept_.front(), quantity_);
-    for (const auto& frame : kept_) {
-      const Range range = fluid_range(*frame, quantity_);
-      whole = {std::min(whole.low, range.low), std::max(whole.high, range.high)};
-    }
-    whole = rounded(whole);
-    for (auto& frame : kept_) {
-      draw(*frame, whole);
-      frame.reset();
-    }
-    kept_.clear();
+    if (!whole_) return;
+    const Range range = rounded(*whole_);
+    while (const auto frame = spool_->read()) draw(*frame, range);
+    spool_.reset();
   }
 
   Look look_;
@@ -70,13 +73,16 @@ class Pictures : public Sink {
   std::vector<std::unique_ptr<ImageSink>> takers_;
   std::optional<Painter> painter_;
   std::optional<Range> fixed_;
-  std::vector<FramePtr> kept_;
+  std::filesystem::path folder_;
+  std::optional<FrameSpool> spool_;  // where colours need the range of the whole run
+  std::optional<Range> whole_;       // of the frames in it
 };
 
 }  // namespace
 
-std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers) {
-  return std::make_unique<Pictures>(look, std::move(takers));
+std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers,
+                               const std::filesystem::path& folder) {
+  return std::make_unique<Pictures>(look, std::move(takers), folder);
 }
 
 }  // namespace seiche::render

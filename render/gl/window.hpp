@@ -1,9 +1,7 @@
 #pragma once
-#include <vtkSmartPointer.h>
-
-#include <string>
-
 class vtkRenderWindow;
+template <class T>
+class vtkSmartPointer;
 
 namespace seiche::render {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/picture/range.hpp"
+#include "render/picture/ticks.hpp"
 
 namespace seiche::render {
 

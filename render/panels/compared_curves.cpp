@@ -7,7 +7,7 @@
 
 #include "render/curves/curve_choice.hpp"
 #include "render/curves/running_mean.hpp"
-#include "render/picture/range.hpp"
+#include "render/picture/ticks.hpp"
 
 namespace seiche::render {
 namespace {

@@ -9,16 +9,18 @@
 #include <optional>
 #include <stdexcept>
 
+#include "render/check_look.hpp"
 #include "render/curves/curve_strip.hpp"
 #include "render/gl/window.hpp"
 #include "render/panels/compared_curves.hpp"
 #include "render/panels/panel.hpp"
 #include "render/panels/wording.hpp"
-#include "render/picture/annotations.hpp"
 #include "render/picture/camera.hpp"
 #include "render/picture/pixels.hpp"
 #include "render/picture/range.hpp"
 #include "render/picture/scalar_bar.hpp"
+#include "render/picture/ticks.hpp"
+#include "render/view/annotations.hpp"
 
 namespace seiche::render {
 namespace {

@@ -5,16 +5,10 @@
 #include "render/curves/sensor_curve.hpp"
 #include "render/image.hpp"
 #include "render/look.hpp"
+#include "render/panels/panel_frame.hpp"
 #include "render/panels/variant.hpp"
-#include "solver/frame.hpp"
 
 namespace seiche::render {
-
-/// What a panel shows at a time.
-struct PanelFrame {
-  FramePtr frame;      ///< the last one up to that time
-  bool ended = false;  ///< none comes any more, though the clock goes on
-};
 
 /// Draws several runs in panels: one scale, one colour range, one clock, one scalar bar, and below them the curves of
 /// all.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/picture/layout.hpp"
+
 namespace seiche::render {
 namespace {
 

@@ -1,12 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "render/picture/layout.hpp"
+#include "render/picture/places.hpp"
 
 namespace seiche::render {
-
-/// No more runs than this find room in one picture, or colours for their curves.
-constexpr std::size_t most_panels = 9;
 
 /// Widths of the texts above a panel, in font heights.
 struct PanelNeeds {

@@ -4,11 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "render/panels/comparison.hpp"
 #include "render/panels/grid_layout.hpp"
+#include "render/panels/panel_frame.hpp"
+#include "render/panels/variant.hpp"
 #include "render/picture/overlay.hpp"
 #include "render/picture/palette.hpp"
-#include "render/picture/tank_view.hpp"
+#include "render/view/tank_view.hpp"
 
 class vtkRenderWindow;
 class vtkRenderer;

@@ -6,6 +6,9 @@
 
 namespace seiche::render {
 
+/// No more runs than this find room in one picture, or colours for their curves.
+constexpr std::size_t most_panels = 9;
+
 /// One of the runs that are shown under one clock.
 struct Variant {
   RunInfo run;

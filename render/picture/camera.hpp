@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/picture/layout.hpp"
+#include "render/picture/places.hpp"
 #include "solver/frame.hpp"
 
 class vtkRenderer;

@@ -9,11 +9,13 @@
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <numbers>
@@ -33,28 +35,34 @@ void set_font(vtkTextProperty* style) {
   style->SetFontFile(SEICHE_FONT);
 }
 
-Overlay::Overlay(vtkRenderer* renderer, double opacity)
-    : renderer_(renderer),
-      points_(vtkSmartPointer<vtkPoints>::New()),
-      cells_(vtkSmartPointer<vtkCellArray>::New()),
-      colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()) {
-  colours_->SetNumberOfComponents(3);
-  vtkNew<vtkPolyData> shapes;
-  shapes->SetPoints(points_);
-  shapes->SetPolys(cells_);
-  shapes->GetCellData()->SetScalars(colours_);
+struct Overlay::Shapes {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colours;
+  std::vector<vtkSmartPointer<vtkTextActor>> texts;
+};
+
+Overlay::Overlay(vtkRenderer* renderer, double opacity) : renderer_(renderer), shapes_(std::make_unique<Shapes>()) {
+  shapes_->colours->SetNumberOfComponents(3);
+  vtkNew<vtkPolyData> polygons;
+  polygons->SetPoints(shapes_->points);
+  polygons->SetPolys(shapes_->cells);
+  polygons->GetCellData()->SetScalars(shapes_->colours);
   vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(shapes);
+  mapper->SetInputData(polygons);
   vtkNew<vtkActor2D> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetOpacity(opacity);
   renderer_->AddActor2D(actor);
 }
 
+Overlay::~Overlay() = default;
+
 void Overlay::polygon(const std::vector<Point>& corners, Rgb colour) {
-  cells_->InsertNextCell(static_cast<int>(corners.size()));
-  for (const auto& [x, y] : corners) cells_->InsertCellPoint(points_->InsertNextPoint(sharpness * x, sharpness * y, 0));
-  colours_->InsertNextTypedTuple(colour.data());
+  shapes_->cells->InsertNextCell(static_cast<int>(corners.size()));
+  for (const auto& [x, y] : corners)
+    shapes_->cells->InsertCellPoint(shapes_->points->InsertNextPoint(sharpness * x, sharpness * y, 0));
+  shapes_->colours->InsertNextTypedTuple(colour.data());
 }
 
 void Overlay::box(const Box& box, Rgb colour) {
@@ -92,11 +100,11 @@ void Overlay::line(const Line& points, double width, Rgb colour) {
 }
 
 void Overlay::clear() {
-  for (const auto& text : texts_) renderer_->RemoveActor2D(text);
-  texts_.clear();
-  points_->Reset();
-  cells_->Reset();
-  colours_->Reset();
+  for (const auto& text : shapes_->texts) renderer_->RemoveActor2D(text);
+  shapes_->texts.clear();
+  shapes_->points->Reset();
+  shapes_->cells->Reset();
+  shapes_->colours->Reset();
 }
 
 vtkTextActor* Overlay::text(const std::string& words, double x, double y, double font, Align align, Rgb colour) {
@@ -113,7 +121,7 @@ vtkTextActor* Overlay::text(const std::string& words, double x, double y, double
   if (align == Align::centre) style->SetJustificationToCentered();
   if (align == Align::right) style->SetJustificationToRight();
   renderer_->AddActor2D(actor);
-  texts_.emplace_back(actor);
+  shapes_->texts.emplace_back(actor);
   return actor;
 }
 

@@ -1,20 +1,15 @@
 #pragma once
-#include <vtkSmartPointer.h>
-
-#include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "render/picture/colour_map.hpp"
-#include "render/picture/layout.hpp"
+#include "render/picture/places.hpp"
 #include "render/picture/polyline.hpp"
 
-class vtkCellArray;
-class vtkPoints;
 class vtkRenderer;
 class vtkTextActor;
 class vtkTextProperty;
-class vtkUnsignedCharArray;
 
 namespace seiche::render {
 
@@ -25,6 +20,7 @@ class Overlay {
  public:
   /// `opacity`: of its shapes.
   explicit Overlay(vtkRenderer* renderer, double opacity = 1);
+  ~Overlay();
 
   /// A convex polygon.
   void polygon(const std::vector<Point>& corners, Rgb colour);
@@ -46,10 +42,8 @@ class Overlay {
 
  private:
   vtkRenderer* renderer_;
-  vtkSmartPointer<vtkPoints> points_;
-  vtkSmartPointer<vtkCellArray> cells_;
-  vtkSmartPointer<vtkUnsignedCharArray> colours_;
-  std::vector<vtkSmartPointer<vtkTextActor>> texts_;
+  struct Shapes;
+  std::unique_ptr<Shapes> shapes_;
 };
 
 /// The font of all pictures. VTK's own "Arial" is whatever the machine has in its stead.

@@ -36,12 +36,14 @@ void average_row(const std::uint8_t* rows, int wide, int count, std::uint8_t* ou
 
 }  // namespace
 
-PixelReader::PixelReader() : raw_(vtkSmartPointer<vtkUnsignedCharArray>::New()) {}
+PixelReader::PixelReader() : raw_(vtkUnsignedCharArray::New()) {}
+
+void PixelReader::Release::operator()(vtkUnsignedCharArray* array) const { array->Delete(); }
 
 Image PixelReader::read(vtkRenderWindow* window) {
   const int* size = window->GetSize();
   const int wide = size[0], high = size[1];
-  if (window->GetRGBACharPixelData(0, 0, wide - 1, high - 1, 0, raw_) != VTK_OK)
+  if (window->GetRGBACharPixelData(0, 0, wide - 1, high - 1, 0, raw_.get()) != VTK_OK)
     throw std::runtime_error("the picture can't be read back from OpenGL");
 
   Image image{wide / sharpness, high / sharpness, {}};

@@ -1,5 +1,5 @@
 #pragma once
-#include <vtkSmartPointer.h>
+#include <memory>
 
 #include "render/image.hpp"
 
@@ -18,7 +18,10 @@ class PixelReader {
   Image read(vtkRenderWindow* window);
 
  private:
-  vtkSmartPointer<vtkUnsignedCharArray> raw_;  // kept, since at 3840 x 2160 its pages alone cost 0.3 s
+  struct Release {
+    void operator()(vtkUnsignedCharArray* array) const;
+  };
+  std::unique_ptr<vtkUnsignedCharArray, Release> raw_;  // kept, since at 3840 x 2160 its pages alone cost 0.3 s
 };
 
 }  // namespace seiche::render

@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-#include "render/picture/layout.hpp"
+#include "render/picture/places.hpp"
 
 namespace seiche::render {
 

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 
+#include "render/picture/axis.hpp"
+#include "render/picture/ticks.hpp"
+
 namespace seiche::render {
 namespace {
 
@@ -26,9 +29,7 @@ double ScalarBar::label_width(Quantity quantity, Range range) {
   double width = 0;
   for (const Class& each : classes_of(quantity)) width = std::max(width, label_font * text_width(each.name));
   if (width > 0) return width;
-  const Ticks ticks = round_ticks(range);
-  for (const double value : ticks.values) width = std::max(width, text_width(tick_label(value, ticks.step)));
-  return label_font * (width + text_width("max 0"));
+  return label_font * (render::label_width(axis_of(range)) + text_width("max 0"));
 }
 
 std::array<double, 2> ScalarBar::at(double along, double across) const {
@@ -55,19 +56,18 @@ void ScalarBar::draw_ticks() {
   const auto words = [&](const std::string& text, std::array<double, 2> place, Align align) {
     return overlay_.text(text, place[0], place[1], label_font * f, align, ink_);
   };
-  const Ticks ticks = round_ticks(*range_);
-  for (const double value : ticks.values) {
-    const double along = (value - range_->low) / (range_->high - range_->low);
+  const Axis axis = axis_of(*range_);
+  for (const Tick& tick : axis.ticks) {
+    const double along = axis.along(tick.place);
     const auto [x, y] = at(along, side);
     if (layout_.bar_upright)
       overlay_.box({x, y - half, 0.3 * f, 2 * half}, ink_);
     else
       overlay_.box({x - half, y - 0.3 * f, 2 * half, 0.3 * f}, ink_);
-    const std::string label = tick_label(value, ticks.step);
     if (layout_.bar_upright)
-      words(label, at(along, side + 0.55 * f), Align::left);
+      words(tick.label, at(along, side + 0.55 * f), Align::left);
     else
-      words(label, at(along, side + 0.95 * f), Align::centre);
+      words(tick.label, at(along, side + 0.95 * f), Align::centre);
   }
   const Box& bar = layout_.bar;
   if (layout_.bar_upright) {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "render/picture/overlay.hpp"
-#include "render/picture/range.hpp"
+#include "render/picture/quantity.hpp"
 
 namespace seiche::render {
 

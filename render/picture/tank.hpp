@@ -1,10 +1,10 @@
 #pragma once
-#include <vtkSmartPointer.h>
-
 #include "render/picture/colour_map.hpp"
 #include "solver/run_info.hpp"
 
 class vtkActor;
+template <class T>
+class vtkSmartPointer;
 
 namespace seiche::render {
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "render/files/vtu.hpp"
-#include "render/picture/painter.hpp"
+#include "render/view/painter.hpp"
 #include "render/picture/range.hpp"
 #include "tests/unit/render/synthetic_curves.hpp"
 

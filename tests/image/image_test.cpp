@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "render/picture/painter.hpp"
+#include "render/view/painter.hpp"
 #include "render/picture/range.hpp"
 #include "tests/image/baseline.hpp"
 #include "tests/image/ssim.hpp"

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Checks which way includes run: arrows.sh SOURCES FLOORS. Says each that runs upwards (floors.txt), each cycle of units,
-# and each folder of more than 20 units; exits with 1 when there is one.
+# each folder of more than 20 units, each file that gets VTK's headers through a header of another room, and each of apps
+# that includes more of render than the headers that stand in no room of it; exits with 1 when there is one.
 set -u
 cd "$1"
 floors="$2"
@@ -8,8 +9,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 find solver render apps -name '*.[hc]pp' | sort |
-  xargs awk 'sub(/^#include "/, "") && sub(/".*/, "") { print FILENAME, $0 }' |
-  sed 's/\.[hc]pp / /; s/\.[hc]pp$//' | awk '$1 != $2' | sort -u >"$work/arrows"
+  xargs awk 'sub(/^#include "/, "") && sub(/".*/, "") { print FILENAME, $0 }' >"$work/includes"
+sed 's/\.[hc]pp / /; s/\.[hc]pp$//' "$work/includes" | awk '$1 != $2' | sort -u >"$work/arrows"
 
 awk '
   function floor_of(unit,   place) {
@@ -31,4 +32,15 @@ tsort "$work/arrows" >/dev/null 2>"$work/cycles" || sed 's/^/cycle: /' "$work/cy
 find solver render apps -name '*.[hc]pp' | sed 's/\.[hc]pp$//' | sort -u | sed 's,/[^/]*$,,' | sort | uniq -c |
   awk '$1 > 20 { print $2 " holds " $1 " units, more than 20" }' | tee "$work/crowded"
 
-[ "$upwards" -eq 0 ] && [ ! -s "$work/cycles" ] && [ ! -s "$work/crowded" ]
+find solver render apps -name '*.hpp' | sort | xargs grep -l '^#include <vtk' >"$work/vtk_headers"
+awk '
+  function room(file) { sub(/\/[^\/]*$/, "", file); return file }
+  NR == FNR { vtk[$1]; next }
+  $2 in vtk && room($1) != room($2) { print $1 " includes VTK by way of " $2 ", a header of another room" }
+' "$work/vtk_headers" "$work/includes" | tee "$work/vtk"
+
+awk '$1 ~ /^apps\// && $2 ~ /^render\/.*\// { print $1 " includes " $2 ", which is no header of render itself" }' \
+  "$work/includes" | tee "$work/inner"
+
+[ "$upwards" -eq 0 ] && [ ! -s "$work/cycles" ] && [ ! -s "$work/crowded" ] && [ ! -s "$work/vtk" ] &&
+  [ ! -s "$work/inner" ]

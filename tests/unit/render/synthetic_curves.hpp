@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "render/look.hpp"
-#include "render/picture/painter.hpp"
+#include "render/view/painter.hpp"
 #include "tests/unit/render/synthetic.hpp"
 
 namespace seiche::test {

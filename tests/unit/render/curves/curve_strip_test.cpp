@@ -2,9 +2,9 @@
 
 #include <cstdlib>
 
-#include "render/picture/painter.hpp"
 #include "render/picture/palette.hpp"
 #include "render/picture/range.hpp"
+#include "render/view/painter.hpp"
 #include "tests/unit/render/synthetic_curves.hpp"
 
 // The curves under a picture, as pixels.

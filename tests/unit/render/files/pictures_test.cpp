@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "render/outputs.hpp"
-#include "render/picture/painter.hpp"
+#include "render/view/painter.hpp"
 #include "tests/unit/render/synthetic.hpp"
 
 using namespace seiche;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "render/panels/variant.hpp"
 #include "tests/unit/render/layout_boxes.hpp"
 
 using namespace seiche::render;

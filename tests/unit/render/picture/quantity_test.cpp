@@ -7,8 +7,8 @@
 
 #include "render/liquid/particles.hpp"
 #include "render/outputs.hpp"
-#include "render/picture/painter.hpp"
 #include "render/picture/range.hpp"
+#include "render/view/painter.hpp"
 #include "tests/unit/render/synthetic.hpp"
 
 using namespace seiche;

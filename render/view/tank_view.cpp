@@ -1,7 +1,8 @@
-#include "render/picture/tank_view.hpp"
+#include "render/view/tank_view.hpp"
 
 #include <vtkActor.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,8 @@ TankView::TankView(vtkRenderer* renderer, const RunInfo& run, const Look& look, 
   if (look.show_arrows)
     arrows_.emplace(renderer, run, arrow_scale(run, look), layout.scale, arrow_font(layout.view.width, layout.font));
 }
+
+TankView::~TankView() = default;
 
 void TankView::show(const Frame& frame, Range range) {
   const TankPose pose = moves_ ? frame.pose : TankPose{};

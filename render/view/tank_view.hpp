@@ -1,6 +1,4 @@
 #pragma once
-#include <vtkSmartPointer.h>
-
 #include <optional>
 #include <vector>
 
@@ -10,13 +8,15 @@
 #include "render/liquid/surface_line.hpp"
 #include "render/look.hpp"
 #include "render/picture/camera.hpp"
-#include "render/picture/layout.hpp"
 #include "render/picture/palette.hpp"
+#include "render/picture/places.hpp"
 #include "solver/frame.hpp"
 #include "solver/run_info.hpp"
 
 class vtkActor;
 class vtkRenderer;
+template <class T>
+class vtkSmartPointer;
 
 namespace seiche::render {
 
@@ -33,6 +33,7 @@ class TankView {
   /// `finest`: least spacing of the runs in the picture [m].
   TankView(vtkRenderer* renderer, const RunInfo& run, const Look& look, const Layout& layout, const Palette& colours,
            double finest);
+  ~TankView();
 
   void show(const Frame& frame, Range range);
 

@@ -1,4 +1,4 @@
-#include "render/look.hpp"
+#include "render/check_look.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include "render/curves/curve_choice.hpp"
 #include "render/picture/colour_map.hpp"
 #include "render/picture/quantity.hpp"
+#include "render/picture/range.hpp"
 
 namespace seiche::render {
 

@@ -1,4 +1,4 @@
-#include "render/picture/painter.hpp"
+#include "render/view/painter.hpp"
 
 #include <fmt/format.h>
 #include <vtkNew.h>
@@ -8,14 +8,18 @@
 #include <optional>
 #include <stdexcept>
 
+#include "render/check_look.hpp"
 #include "render/curves/curve_strip.hpp"
 #include "render/gl/window.hpp"
-#include "render/picture/annotations.hpp"
 #include "render/picture/camera.hpp"
+#include "render/picture/layout.hpp"
 #include "render/picture/palette.hpp"
 #include "render/picture/pixels.hpp"
+#include "render/picture/range.hpp"
 #include "render/picture/scalar_bar.hpp"
-#include "render/picture/tank_view.hpp"
+#include "render/picture/ticks.hpp"
+#include "render/view/annotations.hpp"
+#include "render/view/tank_view.hpp"
 
 namespace seiche::render {
 

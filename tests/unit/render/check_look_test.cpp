@@ -1,4 +1,4 @@
-#include "render/look.hpp"
+#include "render/check_look.hpp"
 
 #include <gtest/gtest.h>
 

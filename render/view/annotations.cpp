@@ -1,4 +1,4 @@
-#include "render/picture/annotations.hpp"
+#include "render/view/annotations.hpp"
 
 #include <fmt/format.h>
 #include <vtkTextActor.h>
@@ -11,6 +11,7 @@
 #include "render/liquid/particles.hpp"
 #include "render/liquid/surface_line.hpp"
 #include "render/liquid/surface_sign.hpp"
+#include "render/picture/layout.hpp"
 #include "render/picture/quantity.hpp"
 
 namespace seiche::render {
