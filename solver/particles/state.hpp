@@ -8,7 +8,7 @@
 
 namespace seiche::solver {
 
-/// All that a step reads from the one before, as a structure of arrays in cell order.
+/// The particles, as a structure of arrays in cell order.
 template <int D>
 struct State {
   Vecs<D> position;  ///< in the tank's frame [m]
@@ -16,7 +16,9 @@ struct State {
   Vecs<D> normal;    ///< out of the tank, for wall and dummy particles; zero in corners and for fluid
   Scalars pressure;  ///< gauge [Pa]; the next solve starts from it
   std::vector<Kind> kind;
-  std::vector<std::uint8_t> surface;  ///< 1 at the free surface, where the pressure is given
+  Scalars density;                         ///< number density n_i when the surface was last found
+  std::vector<std::uint8_t> surface;       ///< 1 at the free surface, where the pressure is given
+  std::vector<std::uint8_t> near_surface;  ///< 1 for it and its neighbours
   std::vector<std::uint32_t> id;
   Scalars wet;  ///< 1 for fluid and for walls beside it, 0 for dry walls and what is behind them
 
@@ -32,7 +34,9 @@ struct State {
     normal.push_back(n);
     pressure.push_back(0);
     kind.push_back(k);
+    density.push_back(0);
     surface.push_back(0);
+    near_surface.push_back(0);
     wet.push_back(1);
     id.push_back(static_cast<std::uint32_t>(id.size()));
   }
@@ -44,7 +48,9 @@ struct State {
     pick(normal, order, vectors_);
     pick(pressure, order, scalars_);
     pick(kind, order, kinds_);
+    pick(density, order, scalars_);
     pick(surface, order, bytes_);
+    pick(near_surface, order, bytes_);
     pick(id, order, ids_);
     pick(wet, order, scalars_);
   }

@@ -6,16 +6,16 @@
 
 namespace seiche::solver {
 
-/// What the liquid has in all, in the tank's frame. Each particle has the mass rho l0^D.
+/// What the liquid has in all. Each particle has the mass rho l0^D.
 template <int D>
 struct Budget {
   double kinetic = 0;              ///< sum m u^2/2, u relative to the tank [J/m in 2-D, J]
-  double potential = 0;            ///< sum m g (y - depth/2): 0 for the still liquid that fills the tank [J/m, J]
-  Vec<D> centre = Vec<D>::Zero();  ///< of mass; 0 when no liquid is left [m]
+  double potential = 0;            ///< sum m g (Y - depth/2), Y the height in the lab: 0 for still liquid [J/m, J]
+  Vec<D> centre = Vec<D>::Zero();  ///< of mass, in the tank's frame; 0 when no liquid is left [m]
 };
 
 template <int D>
-Budget<D> budget(const State<D>& s, const Parameters& p) {
+Budget<D> budget(const State<D>& s, const Parameters& p, const TankPose& pose) {
   Budget<D> sum;
   long count = 0;
   double squares = 0;
@@ -28,7 +28,11 @@ Budget<D> budget(const State<D>& s, const Parameters& p) {
   if (count == 0) return sum;
   const double mass = p.fluid.density * std::pow(p.particles.spacing, D);
   sum.kinetic = 0.5 * mass * squares;
-  sum.potential = mass * p.gravity * (sum.centre[1] - 0.5 * p.fluid.depth * static_cast<double>(count));
+  // Y = y + heave + sin(roll) (x - pivot_x) + (cos(roll) - 1) (y - pivot_y)
+  const auto n = static_cast<double>(count);
+  const double risen = n * pose.displacement[1] + std::sin(pose.roll) * (sum.centre[0] - n * pose.pivot[0]) +
+                       (std::cos(pose.roll) - 1) * (sum.centre[1] - n * pose.pivot[1]);
+  sum.potential = mass * p.gravity * (sum.centre[1] - 0.5 * p.fluid.depth * n + risen);
   sum.centre /= static_cast<double>(count);
   return sum;
 }

@@ -25,36 +25,32 @@ Sensors<D>::Sensors(const Parameters& p, double interval, const State<D>& s)
 
 // 1e-12: sums of steps that should end at a sample miss it by their rounding.
 template <int D>
-bool Sensors<D>::is_due(double time) const {
-  return interval_ > 0 && next_ * interval_ <= time * (1 + 1e-12);
+bool Sensors<D>::is_due(double time, const SensorMemory& memory) const {
+  return interval_ > 0 && memory.next * interval_ <= time * (1 + 1e-12);
 }
 
 template <int D>
-void Sensors<D>::before_step(const State<D>& s, double end) {
-  if (!is_due(end) || last_time_ == s.time) return;
-  evaluate(s, last_);
-  last_time_ = s.time;
+void Sensors<D>::before_step(const State<D>& s, double end, SensorMemory& memory) {
+  if (!is_due(end, memory) || memory.last_time == s.time) return;
+  evaluate(s, memory.last);
+  memory.last_time = s.time;
 }
 
 template <int D>
-void Sensors<D>::read(const State<D>& s) {
-  if (!is_due(s.time)) return;
+void Sensors<D>::read(const State<D>& s, SensorMemory& memory) {
+  if (!is_due(s.time, memory)) return;
+  auto& [readings, last, last_time, next] = memory;
   evaluate(s, now_);
-  for (; is_due(s.time); ++next_) {
-    const double t = next_ * interval_;
-    readings_.time.push_back(t);
-    const double share = s.time > last_time_ && !last_.empty() ? (t - last_time_) / (s.time - last_time_) : 1;
+  for (; is_due(s.time, memory); ++next) {
+    const double t = next * interval_;
+    readings.time.push_back(t);
+    const double share = s.time > last_time && !last.empty() ? (t - last_time) / (s.time - last_time) : 1;
     for (std::size_t k = 0; k < now_.size(); ++k)
-      readings_.values.push_back(share == 1 ? now_[k] : last_[k] + share * (now_[k] - last_[k]));
-    motion_.append(t, readings_.values);
+      readings.values.push_back(share == 1 ? now_[k] : last[k] + share * (now_[k] - last[k]));
+    motion_.append(t, readings.values);
   }
-  std::swap(last_, now_);
-  last_time_ = s.time;
-}
-
-template <int D>
-Readings Sensors<D>::take() {
-  return std::exchange(readings_, {});
+  std::swap(last, now_);
+  last_time = s.time;
 }
 
 template <int D>
@@ -72,7 +68,7 @@ void Sensors<D>::evaluate(const State<D>& s, Scalars& values) {
     values.push_back(load.moment);
   }
   if (!p_.sensors.energy && !p_.sensors.volume) return;
-  const Budget<D> all = budget(s, p_);
+  const Budget<D> all = budget(s, p_, motion_.pose(s.time));
   if (p_.sensors.energy) values.insert(values.end(), {all.kinetic, all.potential});
   if (p_.sensors.volume) {
     values.push_back(surface_.volume());

@@ -8,6 +8,14 @@
 
 namespace seiche::solver {
 
+/// What sensors keep from one step to the next.
+struct SensorMemory {
+  Readings readings;      ///< not yet taken
+  Scalars last;           ///< values at `last_time`
+  double last_time = -1;  ///< [s]
+  long next = 0;          ///< number of the next sample
+};
+
 /// The sensors of a run, read at exact multiples of the sample interval by linear interpolation between the states
 /// before and after a step, and the tank's motion as it is at those times. Nothing is evaluated for steps without a
 /// sample.
@@ -19,16 +27,14 @@ class Sensors {
   Sensors(const Parameters& p, double interval, const State<D>& s);
 
   /// Call before a step that ends at `end` [s].
-  void before_step(const State<D>& s, double end);
+  void before_step(const State<D>& s, double end, SensorMemory& memory);
 
   /// Call with the state at t = 0 and after each step.
-  void read(const State<D>& s);
-
-  /// Readings since the last call, in the order of `sensor_columns`.
-  Readings take();
+  /// Appends to memory.readings, in the order of `sensor_columns`.
+  void read(const State<D>& s, SensorMemory& memory);
 
  private:
-  bool is_due(double time) const;
+  bool is_due(double time, const SensorMemory& memory) const;
   void evaluate(const State<D>& s, Scalars& values);
 
   Parameters p_;
@@ -39,10 +45,7 @@ class Sensors {
   WallLoad<D> walls_;
   std::vector<PressureSensor<D>> pressures_;
   std::vector<WaveGauge> gauges_;
-  Readings readings_;
-  Scalars last_, now_;     ///< values at `last_time_`, and a buffer
-  double last_time_ = -1;  ///< [s]
-  long next_ = 0;          ///< number of the next sample
+  Scalars now_;  ///< a buffer
 };
 
 }  // namespace seiche::solver

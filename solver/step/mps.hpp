@@ -18,6 +18,7 @@
 #include "solver/pressure/surface_pressure.hpp"
 #include "solver/sensors/sensors.hpp"
 #include "solver/simulation.hpp"
+#include "solver/step/run_state.hpp"
 #include "solver/step/snapshot.hpp"
 #include "solver/step/watch.hpp"
 #include "solver/tank/standing_wave.hpp"
@@ -57,14 +58,21 @@ class Mps final : public Simulation {
 
   void step(double until) override;
   double time() const override { return s_.time; }
-  const Statistics& statistics() const override { return totals_; }
+  const Statistics& statistics() const override { return run_.totals; }
   FramePtr frame(long index) override;
+
+  /// To be copied, and resumed from.
+  const RunState<D>& state() const { return run_; }
+
+  /// Goes on from a state of a simulation of the same parameters and sample interval.
+  void resume(const RunState<D>& state);
 
  private:
   void step_move_first(double dt);
   void step_project_first(double dt);
   void predict(double dt);
   void refresh_neighbours();
+  void list_neighbours();
   void measure_pairs();
   void find_surface();
   void set_force(const BodyForce<D>& force);
@@ -98,29 +106,26 @@ class Mps final : public Simulation {
   Box<D> box_;
   double l0_;
   Range<D> density_range_, gradient_range_, laplacian_range_;
-  State<D> s_;
+  RunState<D> run_;
+  State<D>& s_ = run_.particles;
+  Statistics& totals_ = run_.totals;
   Neighbours<D> list_;
   PressureSystem<D> system_;
   std::unique_ptr<PressureSolver> solver_;
   Sensors<D> sensors_;
   Watch<D> watch_;
-  Statistics totals_;
-  long fluid_at_start_ = 0;
-  double fastest_ = 0;
   double force_divergence_ = 0;  ///< of f [1/s^2]
   WallWetness<D> wetness_;
   VolumeKernel volume_kernel_;
   double whole_volume_;  ///< its sum on the lattice
   SurfaceDepth surface_depth_;
 
-  // Buffers kept between steps: number density, its count, divergence, vectors, nearness to the
-  // surface.
-  Scalars n_, excess_, divergence_;
+  // Buffers: nothing in them is read by the next step.
+  Scalars excess_, divergence_;
   std::vector<int> count_, collisions_;
   Vecs<D> change_;
   Vecs<D> force_, slope_;  ///< f of this step at each fluid particle [m/s^2], and rho f [Pa/m]
   Vecs<D> viscous_;        ///< nu times the Laplacian of u [m/s^2]
-  std::vector<std::uint8_t> near_;
   Scalars solution_;
 };
 

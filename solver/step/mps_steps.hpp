@@ -1,4 +1,6 @@
 #pragma once
+#include <utility>
+
 #include "solver/pressure/boundary.hpp"
 #include "solver/step/mps.hpp"
 
@@ -14,7 +16,7 @@ Mps<D>::Mps(const Parameters& p, double sample_interval)
       density_range_(p, p.method.radius_density),
       gradient_range_(p, p.method.radius_gradient),
       laplacian_range_(p, p.method.radius_laplacian),
-      s_(fill_tank<D>(p)),
+      run_{.particles = fill_tank<D>(p)},
       // A skin of 0.3 l0 balances the cost of longer rows against that of making the list more often.
       list_(Vec<D>::Constant(-wall_layers(p.method) * l0_), box_.size.array() + wall_layers(p.method) * l0_,
             longest_support(p.method) * l0_, 0.3 * l0_),
@@ -29,34 +31,43 @@ Mps<D>::Mps(const Parameters& p, double sample_interval)
   if (p.method.radius_laplacian == p.method.radius_density) laplacian_range_.pairs = density_range_.pairs;
   for (Kind k : s_.kind)
     ++(k == Kind::fluid ? totals_.fluid_particles : k == Kind::wall ? totals_.wall_particles : totals_.dummy_particles);
-  fluid_at_start_ = totals_.fluid_particles;
+  run_.fluid_at_start = totals_.fluid_particles;
   refresh_neighbours();
   measure_pairs();
   find_surface();
   if (const StandingWave wave(p); p.fluid.wave_amplitude > 0)
     each_fluid([&](int i) { s_.velocity[i] = wave.velocity<D>(s_.position[i]); });
   if (motion_.jumps()) start_at_rest_in_lab();
-  fastest_ = watch_.check_motion(s_);
-  sensors_.read(s_);
+  run_.fastest = watch_.check_motion(s_);
+  sensors_.read(s_, run_.sensors);
 }
 
 template <int D>
 FramePtr Mps<D>::frame(long index) {
-  auto frame = snapshot(s_, n_, density_range_.ref.n0, motion_);
+  auto frame = snapshot(s_, density_range_.ref.n0, motion_);
   frame->index = index;
-  frame->readings = sensors_.take();
+  frame->readings = std::exchange(run_.sensors.readings, {});
   return frame;
 }
 
 template <int D>
+void Mps<D>::resume(const RunState<D>& state) {
+  run_ = state;
+  // The list as it was: particles lie in its order already, so that none changes place.
+  s_.position = state.particles.listed_position;
+  list_neighbours();
+  s_.position = state.particles.position;
+}
+
+template <int D>
 void Mps<D>::step(double until) {
-  const double rule = step_rule(p_, fastest_);
-  watch_.check_step(s_, rule);
+  const double rule = step_rule(p_, run_.fastest);
+  watch_.check_step(s_, rule, run_.short_steps);
   const double dt = split_evenly(until - s_.time, rule);
   const double end = s_.time + 1.5 * dt > until ? until : s_.time + dt;
   {
     const Stage stage(totals_.seconds["sensors"]);
-    sensors_.before_step(s_, end);
+    sensors_.before_step(s_, end, run_.sensors);
   }
   if (p_.method.order == Order::move_first)
     step_move_first(dt);
@@ -68,10 +79,10 @@ void Mps<D>::step(double until) {
   totals_.shortest_step = s_.step == 1 ? dt : std::min(totals_.shortest_step, dt);
   totals_.longest_step = std::max(totals_.longest_step, dt);
   take_out_lost();
-  fastest_ = watch_.check_motion(s_);
-  watch_.check_leaks(s_, totals_, fluid_at_start_);
+  run_.fastest = watch_.check_motion(s_);
+  watch_.check_leaks(s_, totals_, run_.fluid_at_start);
   const Stage stage(totals_.seconds["sensors"]);
-  sensors_.read(s_);
+  sensors_.read(s_, run_.sensors);
 }
 
 /// The paper's order: predict and move (12-14), part close pairs, number density and pressure (3, 10), correct (15-17).
@@ -105,7 +116,7 @@ void Mps<D>::step_project_first(double dt) {
   clip_pressure();
   correct_velocity(dt);
   const double share = p_.method.shift * dt * std::sqrt(p_.gravity * p_.fluid.depth) / l0_;
-  particle_shift(*density_range_.pairs, density_range_.ref.n0, share, l0_, near_, s_, change_);
+  particle_shift(*density_range_.pairs, density_range_.ref.n0, share, l0_, s_.near_surface, s_, change_);
   move_fluid([&](int i) { return Vec<D>(dt * s_.velocity[i] + change_[i]); });
   separate();
 }
@@ -144,12 +155,16 @@ template <int D>
 void Mps<D>::refresh_neighbours() {
   const Stage stage(totals_.seconds["search"]);
   if (!list_.is_stale(s_)) return;
-  list_.build(s_);
+  list_neighbours();
   ++totals_.list_builds;
+}
+
+template <int D>
+void Mps<D>::list_neighbours() {
+  list_.build(s_);
   wetness_.relist(list_, s_);
-  for (Scalars* values : {&n_, &excess_, &divergence_}) values->resize(s_.size());
+  for (Scalars* values : {&excess_, &divergence_}) values->resize(s_.size());
   for (std::vector<int>* values : {&count_, &collisions_}) values->resize(s_.size());
-  near_.resize(s_.size());
   for (Vecs<D>* values : {&change_, &viscous_}) values->resize(s_.size());
 }
 
@@ -171,10 +186,10 @@ template <int D>
 void Mps<D>::find_surface() {
   const Stage stage(totals_.seconds["density"]);
   if (ghost_walls()) wetness_(*density_range_.pairs, density_range_.ref.n0, s_);
-  number_density(*density_range_.pairs, s_, n_, count_);
+  number_density(*density_range_.pairs, s_, s_.density, count_);
   const double share = p_.method.surface == SurfaceTest::density ? 0 : count_share;
-  mark_free_surface(density_range_.ref, p_.method.surface_beta, share, n_, count_, s_.kind, s_.surface);
-  mark_near_surface(*density_range_.pairs, s_, near_);
+  mark_free_surface(density_range_.ref, p_.method.surface_beta, share, s_.density, count_, s_.kind, s_.surface);
+  mark_near_surface(*density_range_.pairs, s_, s_.near_surface);
 }
 
 /// Solves equation (10) for the pressure at the end of the step.
@@ -185,8 +200,10 @@ void Mps<D>::solve_pressure(double dt, double surface_density) {
   {
     const Stage stage(totals_.seconds["assembly"]);
     if (ghost_walls()) {
-      set_surface_pressure(surface_density, force_, viscous_, surface_depth_, n_, s_);
-      assemble(GhostBoundary<D>{s_, n_, near_, density_range_.ref.n0, laplacian_range_.ref.n0, slope_}, dt);
+      set_surface_pressure(surface_density, force_, viscous_, surface_depth_, s_.density, s_);
+      assemble(
+          GhostBoundary<D>{s_, s_.density, s_.near_surface, density_range_.ref.n0, laplacian_range_.ref.n0, slope_},
+          dt);
     } else {
       assemble(PaperBoundary<D>{s_}, dt);
     }
@@ -224,8 +241,8 @@ void Mps<D>::assemble(const Boundary& boundary, double dt) {
 #pragma omp parallel for schedule(static)
   for (int k = 0; k < system_.rows(); ++k) {
     const int i = system_.particle(k);
-    const double excess = source.mixed ? excess_[i] : (n_[i] - n0) / n0;
-    system_.right()[k] += scale * source(divergence_[i] + dt * force_divergence_, excess, near_[i]);
+    const double excess = source.mixed ? excess_[i] : (s_.density[i] - n0) / n0;
+    system_.right()[k] += scale * source(divergence_[i] + dt * force_divergence_, excess, s_.near_surface[i]);
     solution_[k] = s_.pressure[i];
   }
 }
@@ -271,7 +288,7 @@ void Mps<D>::separate() {
   const double distance = p_.method.separation_distance * l0_;
   if (p_.method.separation == SeparationModel::part) part_close_pairs(distance, list_, s_, change_);
   if (p_.method.separation == SeparationModel::collide)
-    collide_close_pairs(distance, l0_, near_, list_, s_, collisions_, change_);
+    collide_close_pairs(distance, l0_, s_.near_surface, list_, s_, collisions_, change_);
 }
 
 /// Removes fluid that went through a wall or over the rim, and counts it.

@@ -6,9 +6,9 @@
 
 namespace seiche::solver {
 
-/// The state as a Frame: float32, in id order. `density` is n_i.
+/// The state as a Frame: float32, in id order.
 template <int D>
-std::shared_ptr<Frame> snapshot(const State<D>& s, const Scalars& density, double n0, const Motion& motion) {
+std::shared_ptr<Frame> snapshot(const State<D>& s, double n0, const Motion& motion) {
   auto frame = std::make_shared<Frame>();
   frame->step = s.step;
   frame->time = s.time;
@@ -31,7 +31,7 @@ std::shared_ptr<Frame> snapshot(const State<D>& s, const Scalars& density, doubl
       frame->velocity[k][a] = static_cast<float>(s.velocity[i][a]);
     }
     frame->pressure[k] = static_cast<float>(s.pressure[i]);
-    frame->number_density[k] = static_cast<float>(density[i] / n0);
+    frame->number_density[k] = static_cast<float>(s.density[i] / n0);
     frame->kind[k] = s.kind[i];
     frame->free_surface[k] = s.surface[i];
     frame->id[k] = s.id[i];

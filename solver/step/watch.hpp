@@ -58,10 +58,10 @@ class Watch {
                                     fluid_at_start)});
   }
 
-  /// Throws when the step rule has stayed under 1e-3 of its cap for 100 steps.
-  void check_step(const State<D>& s, double rule) {
-    short_steps_ = rule < 1e-3 * cap_ ? short_steps_ + 1 : 0;
-    if (short_steps_ >= 100)
+  /// Throws when the step rule has stayed under 1e-3 of its cap for 100 steps; `short_steps` counts them.
+  void check_step(const State<D>& s, double rule, int& short_steps) const {
+    short_steps = rule < 1e-3 * cap_ ? short_steps + 1 : 0;
+    if (short_steps >= 100)
       throw RunFailure(
           {s.time, s.step,
            fmt::format("the time step has been {:.2g} s, under a thousandth of its cap of {:.2g} s, for 100 steps",
@@ -89,7 +89,6 @@ class Watch {
   }
 
   double speed_limit_, cap_;
-  int short_steps_ = 0;
 };
 
 }  // namespace seiche::solver

@@ -15,7 +15,7 @@ struct BudgetOf : ::testing::Test {
   SensedTank<D> tank;
   double mass = 1000 * 0.2 * 0.1 * (D == 3 ? 0.12 : 1);
 
-  Budget<D> read() const { return budget(tank.s, tank.p); }
+  Budget<D> read(const TankPose& pose = {}) const { return budget(tank.s, tank.p, pose); }
 };
 TYPED_TEST_SUITE(BudgetOf, test::Dimensions);
 
@@ -35,6 +35,19 @@ TYPED_TEST(BudgetOf, MovingWater) {
   EXPECT_NEAR(all.kinetic, 0.5 * this->mass * 0.29, 1e-10) << "walls don't count";
   EXPECT_NEAR(all.potential, this->mass * 9.81 * 0.01, 1e-9);
   EXPECT_LT((all.centre - this->tank.at(0.12, 0.06)).norm(), 1e-12);
+}
+
+// The middle of the water, (0.1, 0.05), about the pivot (0.1, 0.2): rolled by 60 degrees it rises by half its distance.
+TYPED_TEST(BudgetOf, PotentialEnergyIsByTheHeightInTheLab) {
+  TankPose pose;
+  pose.displacement = {0.7, 0.03, 0};
+  EXPECT_NEAR(this->read(pose).potential, this->mass * 9.81 * 0.03, 1e-9) << "heaved";
+  pose = {};
+  pose.roll = std::acos(0.5);
+  pose.pivot = {0.1, 0.2, 0};
+  EXPECT_NEAR(this->read(pose).potential, this->mass * 9.81 * 0.075, 1e-9) << "rolled";
+  pose.pivot = {0, 0.2, 0};
+  EXPECT_NEAR(this->read(pose).potential, this->mass * 9.81 * (0.075 + 0.1 * std::sqrt(0.75)), 1e-9) << "off its pivot";
 }
 
 TYPED_TEST(BudgetOf, NoWaterHasNothing) {

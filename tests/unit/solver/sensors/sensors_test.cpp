@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "solver/make_simulation.hpp"
 #include "tests/unit/solver/still_tank.hpp"
@@ -19,15 +20,15 @@ struct SampledTank : ::testing::Test {
 
   static double ramp(double t) { return 100 + 5000 * t; }
 
-  void start(Sensors<2>& sensors, double pressure) {
+  void start(Sensors<2>& sensors, SensorMemory& memory, double pressure) {
     set(0, pressure);
-    sensors.read(s);
+    sensors.read(s, memory);
   }
   /// A step that ends at a time with a pressure.
-  void step(Sensors<2>& sensors, double end, double pressure) {
-    sensors.before_step(s, end);
+  void step(Sensors<2>& sensors, SensorMemory& memory, double end, double pressure) {
+    sensors.before_step(s, end, memory);
     set(end, pressure);
-    sensors.read(s);
+    sensors.read(s, memory);
   }
   void set(double time, double pressure) {
     s.time = time;
@@ -38,9 +39,10 @@ struct SampledTank : ::testing::Test {
 
 TEST_F(SampledTank, InterpolatesToExactSampleTimes) {
   Sensors<2> sensors(p, 0.01, s);
-  start(sensors, ramp(0));
-  for (double t : {0.004, 0.011, 0.0195, 0.0445, 0.05}) step(sensors, t, ramp(t));
-  const Readings readings = sensors.take();
+  SensorMemory memory;
+  start(sensors, memory, ramp(0));
+  for (double t : {0.004, 0.011, 0.0195, 0.0445, 0.05}) step(sensors, memory, t, ramp(t));
+  const Readings readings = std::exchange(memory.readings, {});
   ASSERT_EQ(readings.time.size(), 6u);
   ASSERT_EQ(readings.values.size(), 6 * columns);
   for (int k = 0; k < 6; ++k) {
@@ -53,9 +55,10 @@ TEST_F(SampledTank, InterpolatesToExactSampleTimes) {
 TEST_F(SampledTank, SamplesAtOneKilohertzWhateverTheStep) {
   for (double dt : {0.00013, 0.00071, 0.001, 0.0013, 0.0047}) {
     Sensors<2> sensors(p, 0.001, s);
-    start(sensors, ramp(0));
-    for (int k = 1; k * dt <= 0.0501; ++k) step(sensors, k * dt, ramp(k * dt));
-    const Readings readings = sensors.take();
+    SensorMemory memory;
+    start(sensors, memory, ramp(0));
+    for (int k = 1; k * dt <= 0.0501; ++k) step(sensors, memory, k * dt, ramp(k * dt));
+    const Readings readings = std::exchange(memory.readings, {});
     ASSERT_GE(readings.time.size(), 46u) << dt;
     for (std::size_t k = 0; k < readings.time.size(); ++k) {
       EXPECT_DOUBLE_EQ(readings.time[k], 0.001 * static_cast<double>(k)) << dt;
@@ -67,40 +70,44 @@ TEST_F(SampledTank, SamplesAtOneKilohertzWhateverTheStep) {
 // Only the step around a sample matters: the pressures between are nonsense, and aren't seen.
 TEST_F(SampledTank, InterpolatesOverTheStepAroundTheSampleAlone) {
   Sensors<2> sensors(p, 0.01, s);
-  start(sensors, 1);
-  for (double t : {0.002, 0.004, 0.006}) step(sensors, t, 1e6);
-  step(sensors, 0.008, 10);
-  step(sensors, 0.012, 20);
-  const Readings readings = sensors.take();
+  SensorMemory memory;
+  start(sensors, memory, 1);
+  for (double t : {0.002, 0.004, 0.006}) step(sensors, memory, t, 1e6);
+  step(sensors, memory, 0.008, 10);
+  step(sensors, memory, 0.012, 20);
+  const Readings readings = std::exchange(memory.readings, {});
   ASSERT_EQ(readings.time.size(), 2u);
   EXPECT_NEAR(pressure(readings, 1), 15, 1e-9);
 }
 
 TEST_F(SampledTank, TakesEachReadingOnce) {
   Sensors<2> sensors(p, 0.01, s);
-  start(sensors, 1);
-  step(sensors, 0.015, 2);
-  EXPECT_EQ(sensors.take().time, (std::vector<double>{0, 0.01}));
-  EXPECT_TRUE(sensors.take().time.empty());
-  step(sensors, 0.025, 3);
-  const Readings readings = sensors.take();
+  SensorMemory memory;
+  start(sensors, memory, 1);
+  step(sensors, memory, 0.015, 2);
+  EXPECT_EQ(std::exchange(memory.readings, {}).time, (std::vector<double>{0, 0.01}));
+  EXPECT_TRUE(std::exchange(memory.readings, {}).time.empty());
+  step(sensors, memory, 0.025, 3);
+  const Readings readings = std::exchange(memory.readings, {});
   EXPECT_EQ(readings.time, std::vector<double>{0.02});
   EXPECT_NEAR(pressure(readings, 0), 2.5, 1e-9) << "halfway from the reading before the last call";
 }
 
 TEST_F(SampledTank, ASampleAtTheVeryEndOfAStepIsTaken) {
   Sensors<2> sensors(p, 0.1, s);
+  SensorMemory memory;
   double time = 0;
-  start(sensors, 0);
-  for (int k = 0; k < 3; ++k) step(sensors, time += 0.1, k);  // 0.1 + 0.1 + 0.1 isn't 3 * 0.1
-  EXPECT_EQ(sensors.take().time.size(), 4u);
+  start(sensors, memory, 0);
+  for (int k = 0; k < 3; ++k) step(sensors, memory, time += 0.1, k);  // 0.1 + 0.1 + 0.1 isn't 3 * 0.1
+  EXPECT_EQ(std::exchange(memory.readings, {}).time.size(), 4u);
 }
 
 TEST_F(SampledTank, HasNoReadingsWithoutAnInterval) {
   Sensors<2> sensors(p, 0, s);
-  start(sensors, 1);
-  step(sensors, 1, 1);
-  EXPECT_TRUE(sensors.take().time.empty());
+  SensorMemory memory;
+  start(sensors, memory, 1);
+  step(sensors, memory, 1, 1);
+  EXPECT_TRUE(std::exchange(memory.readings, {}).time.empty());
 }
 
 TEST_F(SampledTank, HasAValueForEveryColumnAndNoOther) {
@@ -113,8 +120,9 @@ TEST_F(SampledTank, HasAValueForEveryColumnAndNoOther) {
     p.sensors.energy = off & 2;
     p.sensors.volume = off & 4;
     Sensors<2> sensors(p, 0.1, s);
-    sensors.read(s);
-    const Readings readings = sensors.take();
+    SensorMemory memory;
+    sensors.read(s, memory);
+    const Readings readings = std::exchange(memory.readings, {});
     const auto names = sensor_columns(p);
     ASSERT_EQ(readings.values.size(), names.size()) << off;
     for (std::size_t k = 0; k < names.size(); ++k) {
@@ -135,8 +143,9 @@ TYPED_TEST(SensorsOf, ReadStillWaterInTheCornerAndAtBothEnds) {
   const Parameters p = test::small_tank<D>();
   const State<D> s = fill_tank<D>(p);
   Sensors<D> sensors(p, 0.01, s);
-  sensors.read(s);
-  const Readings readings = sensors.take();
+  SensorMemory memory;
+  sensors.read(s, memory);
+  const Readings readings = std::exchange(memory.readings, {});
   ASSERT_EQ(readings.time, std::vector<double>{0});
   ASSERT_EQ(readings.values.size(), sensor_columns(p).size());
   EXPECT_NEAR(readings.values[0], 981, 1e-8);
@@ -152,8 +161,9 @@ TYPED_TEST(SensorsOf, TellLeftFromRight) {
   for (std::size_t i = 0; i < s.size(); ++i)
     if (s.kind[i] == Kind::fluid) s.position[i][1] += s.position[i][0] < 0.1 ? 0.02 : 0.01;
   Sensors<D> sensors(p, 0.01, s);
-  sensors.read(s);
-  const Readings readings = sensors.take();
+  SensorMemory memory;
+  sensors.read(s, memory);
+  const Readings readings = std::exchange(memory.readings, {});
   EXPECT_NEAR(readings.values[1], 0.02, 0.05 * test::l0);
   EXPECT_NEAR(readings.values[2], 0.01, 0.05 * test::l0);
 }

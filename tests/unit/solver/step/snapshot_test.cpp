@@ -14,7 +14,6 @@ TYPED_TEST_SUITE(Snapshot, test::Dimensions);
 TYPED_TEST(Snapshot, HasEveryArrayInTheOrderOfTheIds) {
   constexpr int D = TypeParam::D;
   State<D> s = test::random_cloud<D>(5, 1, 2);
-  Scalars density(s.size());
   for (std::size_t i = 0; i < s.size(); ++i) {
     s.velocity[i] = 10 * s.position[i];
     s.pressure[i] = 100 * s.position[i][0];
@@ -22,11 +21,11 @@ TYPED_TEST(Snapshot, HasEveryArrayInTheOrderOfTheIds) {
     s.surface[i] = i == 3;
   }
   s.reorder({4, 2, 0, 3});  // sorted otherwise, and one taken out
-  for (std::size_t i = 0; i < s.size(); ++i) density[i] = 2 * s.position[i][1];
+  for (std::size_t i = 0; i < s.size(); ++i) s.density[i] = 2 * s.position[i][1];
   s.time = 0.125;
   s.step = 9;
   const Motion motion({.type = "surge", .amplitude = 0.1, .frequency = 1, .start = Start::smooth});
-  const auto frame = snapshot(s, density, 2, motion);
+  const auto frame = snapshot(s, 2, motion);
 
   EXPECT_EQ(frame->id, (std::vector<std::uint32_t>{0, 2, 3, 4}));
   EXPECT_EQ(frame->kind, (std::vector{Kind::fluid, Kind::wall, Kind::fluid, Kind::fluid}));

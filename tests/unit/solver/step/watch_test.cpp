@@ -98,10 +98,11 @@ TYPED_TEST(WatchOf, StopsWhenMoreThanATwentiethLeaked) {
 
 TYPED_TEST(WatchOf, StopsAfterAHundredShortStepsInARow) {
   const double cap = step_cap(this->p), tiny = 0.999e-3 * cap;
-  for (int k = 0; k < 99; ++k) this->watch.check_step(this->s, tiny);
-  this->watch.check_step(this->s, 1.001e-3 * cap);  // one longer step: the count begins anew
-  for (int k = 0; k < 99; ++k) this->watch.check_step(this->s, tiny);
-  this->expect_failure([&] { this->watch.check_step(this->s, tiny); }, {"time step", "for 100 steps"});
+  int short_steps = 0;
+  for (int k = 0; k < 99; ++k) this->watch.check_step(this->s, tiny, short_steps);
+  this->watch.check_step(this->s, 1.001e-3 * cap, short_steps);  // one longer step: the count begins anew
+  for (int k = 0; k < 99; ++k) this->watch.check_step(this->s, tiny, short_steps);
+  this->expect_failure([&] { this->watch.check_step(this->s, tiny, short_steps); }, {"time step", "for 100 steps"});
 }
 
 TYPED_TEST(WatchOf, NamesTheSourceWhereEveryParticleIsFinite) {
