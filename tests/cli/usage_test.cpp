@@ -24,7 +24,7 @@ TEST(Usage, HelpListsVerbsOutputsAndExitCodes) {
 TEST(Usage, EachVerbHasItsOwnHelpWithExamples) {
   const Scratch scratch;
   for (const std::string verb :
-       {"run", "compare", "render", "movie", "check", "schema", "info", "kernels", "validate"}) {
+       {"run", "compare", "render", "movie", "check", "info", "kernels", "validate"}) {
     const Result result = seiche(scratch.folder(), {verb, "--help"});
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.out.find("Examples:\n  seiche " + verb), std::string::npos) << result.out;
