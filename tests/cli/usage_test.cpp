@@ -245,7 +245,7 @@ TEST(Usage, ValidateListsItsCases) {
 
 TEST(Usage, ValidateRefusesWhatIsntThereAndWritesNothing) {
   const Scratch scratch;
-  const auto error_of = [&](const std::vector<std::string>& arguments) {
+  const auto error_of = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "validate");
     const Result result = seiche(scratch.folder(), arguments);
     EXPECT_EQ(result.code, 2);
