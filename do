@@ -3,12 +3,13 @@
 set -eu
 cd "$(dirname "$0")"
 
-# The one list of Debian packages: what building and running need, then what only tests, benchmarks or formatting need.
+# The one list of Debian packages: what building and running need, then what only tests, benchmarks, formatting or checks need.
 build_packages="g++ cmake ninja-build libvtk9-dev libosmesa6-dev libglew-dev libeigen3-dev libsuitesparse-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpng-dev fonts-dejavu-core ffmpeg"
 test_packages="libgtest-dev chromium"
 bench_packages="libbenchmark-dev"
 format_packages="clang-format"
+tidy_packages="clang-tidy libomp-dev"
 
 usage() {
   cat <<'TEXT'
@@ -20,8 +21,10 @@ usage: ./do VERB
   test     build with tests, then run them all through CTest
   bench    build with benchmarks, then run them into out/bench/; './do bench quick' takes a minute
   gallery  build, then make the small pictures of scenes/gallery/ anew; some minutes
+  sanitize build the solver's tests with AddressSanitizer and UndefinedBehaviorSanitizer, and run its unit tests
+  tidy     look for bugs and old idioms in all sources, or in those named (clang-tidy); half an hour for all
   format   rewrite the sources in the house style (clang-format)
-  clean    remove build/ and out/
+  clean    remove build/, build-*/ and out/
 TEXT
 }
 
@@ -46,8 +49,8 @@ install_packages() {
 }
 
 build() {
-  cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSEICHE_TESTS="$1" -DSEICHE_BENCH="$2"
-  cmake --build build
+  cmake --preset release -DSEICHE_TESTS="$1" -DSEICHE_BENCH="$2"
+  cmake --build --preset release
 }
 
 # Threads wait as in `seiche` itself (apps/launcher.cpp).
@@ -98,7 +101,20 @@ case "${1:-}" in
   test)
     install_packages $build_packages $test_packages
     build ON OFF
-    ctest --test-dir build --output-on-failure --parallel 2
+    ctest --preset release
+    ;;
+  sanitize)
+    install_packages $build_packages $test_packages
+    cmake --preset sanitize
+    cmake --build --preset sanitize --target test_solver test_allocation
+    ctest --preset sanitize
+    ;;
+  tidy)
+    install_packages $build_packages $test_packages $bench_packages $tidy_packages
+    shift
+    cmake --preset tidy
+    { [ $# -eq 0 ] && git ls-files '*.cpp' || printf '%s\n' "$@"; } |
+      xargs -P "$(nproc)" -n 1 clang-tidy -p build-tidy --quiet
     ;;
   bench)
     if [ "${2:-quick}" != quick ]; then
@@ -118,7 +134,7 @@ case "${1:-}" in
     install_packages $format_packages
     git ls-files '*.hpp' '*.cpp' | xargs clang-format -i
     ;;
-  clean) rm -rf build out ;;
+  clean) rm -rf build build-* out ;;
   *)
     echo "do: there is no verb '$1'" >&2
     usage >&2

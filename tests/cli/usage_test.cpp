@@ -23,7 +23,8 @@ TEST(Usage, HelpListsVerbsOutputsAndExitCodes) {
 
 TEST(Usage, EachVerbHasItsOwnHelpWithExamples) {
   const Scratch scratch;
-  for (const std::string verb : {"run", "render", "movie", "check", "info", "kernels", "validate"}) {
+  for (const std::string verb :
+       {"run", "compare", "render", "movie", "check", "info", "kernels", "validate"}) {
     const Result result = seiche(scratch.folder(), {verb, "--help"});
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.out.find("Examples:\n  seiche " + verb), std::string::npos) << result.out;
@@ -33,7 +34,7 @@ TEST(Usage, EachVerbHasItsOwnHelpWithExamples) {
 TEST(Usage, WithoutOsmesaItNamesThePackageAndStartsNothing) {
   const Scratch scratch;
   // The loader takes the first library of the name, and an empty file is none.
-  std::ofstream(scratch.folder() / "libOSMesa.so.8");
+  std::ofstream(scratch.folder() / "libOSMesa.so.8").flush();
   const Result result = seiche(scratch.folder(), {"run", quick}, {"LD_LIBRARY_PATH=" + scratch.folder().string()});
   EXPECT_EQ(result.code, 4);
   EXPECT_NE(result.err.find("install Debian's package libosmesa6"), std::string::npos) << result.err;
@@ -51,7 +52,7 @@ TEST(Usage, VersionIsOneLine) {
 TEST(Usage, WrongUsageExitsWith2) {
   const Scratch scratch;
   const std::string hint = "\nseiche --help and seiche VERB --help say more.\n";
-  const auto error_of = [&](std::vector<std::string> arguments) {
+  const auto error_of = [&](const std::vector<std::string>& arguments) {
     const Result result = seiche(scratch.folder(), arguments);
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "");
