@@ -23,6 +23,7 @@ usage: ./do VERB
   gallery  build, then make the small pictures of scenes/gallery/ anew; some minutes
   sanitize build the solver's tests with AddressSanitizer and UndefinedBehaviorSanitizer, and run its unit tests
   tidy     look for bugs and old idioms in all sources, or in those named (clang-tidy); half an hour for all
+  keys     build, then write the tables of keys in scenes/README.md anew
   format   rewrite the sources in the house style (clang-format)
   clean    remove build/, build-*/ and out/
 TEXT
@@ -129,6 +130,11 @@ case "${1:-}" in
     install_packages $build_packages
     build OFF OFF
     gallery
+    ;;
+  keys)
+    install_packages $build_packages
+    build OFF OFF
+    tests/structure/keys.sh build/seiche scenes/README.md --write
     ;;
   format)
     install_packages $format_packages

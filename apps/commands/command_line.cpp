@@ -11,6 +11,7 @@
 #include "apps/commands/kernels.hpp"
 #include "apps/commands/replay_verbs.hpp"
 #include "apps/commands/run.hpp"
+#include "apps/commands/schema.hpp"
 #include "apps/common/exit_codes.hpp"
 #include "apps/common/nearest.hpp"
 #include "apps/common/output_folder.hpp"
@@ -159,6 +160,7 @@ int parse(int argc, char** argv) {
   add_render(app, drawing, code);
   add_movie(app, encoding, code);
   add_check(app, checked);
+  add_schema(app);
   add_info(app);
   add_kernels(app, picture);
   add_validate(app, validation, code);

@@ -15,6 +15,7 @@ constexpr const char* program_footer = R"(Examples:
   seiche check scenes/quick.toml          look for mistakes, and say what would be simulated
   seiche compare scenes/quick.toml --vary method.kernel=KF1,KF3
                                           run variants side by side, and show them under one clock
+  seiche schema > scene.schema.json       what a scene may hold, for editors
   seiche kernels -o kernels.png           draw the kernel functions
   seiche validate --quick                 compare runs with theory and experiment
 
@@ -81,6 +82,13 @@ constexpr const char* check_footer = R"(Examples:
   seiche check scenes/quick.toml
 
 All mistakes are listed, each with its file, line and column. Exits with 0 if there is none, else with 2.)";
+
+constexpr const char* schema_footer = R"(Examples:
+  seiche schema > scene.schema.json
+  seiche schema --markdown
+
+An editor with Taplo or Even Better TOML takes the schema from a first line in the scene:
+  #:schema scene.schema.json)";
 
 constexpr const char* info_footer = R"(Examples:
   seiche info)";

@@ -27,7 +27,7 @@ std::string range_text(const Report& report, const Number& number, std::string (
     low = std::min(low, number(*p));
     high = std::max(high, number(*p));
   }
-  const std::string least = text(low), most = text(high);
+  std::string least = text(low), most = text(high);
   if (least == most) return most;
   const auto unit_of = [](const std::string& words) { return words.substr(words.find_first_not_of("-+.e0123456789")); };
   const bool one_unit = unit_of(least) == unit_of(most);

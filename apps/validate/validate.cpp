@@ -75,8 +75,9 @@ int exit_code(const std::vector<Outcome>& outcomes, bool interrupted) {
 fs::path find_scenes() {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
-  const fs::path installed = program.parent_path().parent_path() / SEICHE_INSTALLED_SCENES;
-  return fs::is_directory(installed) ? installed : fs::path(SEICHE_SOURCE_SCENES);
+  const fs::path prefix = program.parent_path().parent_path();
+  const fs::path installed = prefix / SEICHE_INSTALLED_SCENES;
+  return fs::is_directory(installed) ? installed : prefix / "scenes";
 }
 
 int validate(const Request& request, const std::vector<Case>& cases, const std::vector<KnownMissOf>& known) {

@@ -66,9 +66,9 @@ void Motion::append(double t, std::vector<double>& values) const {
 
 std::vector<std::string> motion_columns(const Parameters::Motion& m) {
   std::vector<std::string> names;
-  if (course(m, "surge", m.series.surge, 1).moves()) names.push_back("surge [m]");
-  if (course(m, "heave", m.series.heave, 1).moves()) names.push_back("heave [m]");
-  if (course(m, "roll", m.series.roll, degree).moves()) names.push_back("roll [deg]");
+  if (course(m, "surge", m.series.surge, 1).moves()) names.emplace_back("surge [m]");
+  if (course(m, "heave", m.series.heave, 1).moves()) names.emplace_back("heave [m]");
+  if (course(m, "roll", m.series.roll, degree).moves()) names.emplace_back("roll [deg]");
   return names;
 }
 

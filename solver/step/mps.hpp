@@ -34,9 +34,8 @@ struct Range {
   std::shared_ptr<Pairs<D>> pairs = std::make_shared<Pairs<D>>();  ///< ranges of one radius share them
 
   Range(const Parameters& p, double radius)
-      : w(find_kernel(p.method.kernel, radius * p.particles.spacing, p.method.kf2_alpha)) {
-    ref = std::visit([&](auto kernel) { return lattice_reference<D>(kernel, p.particles.spacing); }, w);
-  }
+      : w(find_kernel(p.method.kernel, radius * p.particles.spacing, p.method.kf2_alpha)),
+        ref(std::visit([&](auto kernel) { return lattice_reference<D>(kernel, p.particles.spacing); }, w)) {}
 };
 
 /// Adds the time that it lives to a stage's total.

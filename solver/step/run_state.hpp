@@ -10,8 +10,8 @@ namespace seiche::solver {
 template <int D>
 struct RunState {
   State<D> particles;
-  SensorMemory sensors;
-  Statistics totals;
+  SensorMemory sensors = {};
+  Statistics totals = {};
   long fluid_at_start = 0;  ///< particles
   double fastest = 0;       ///< greatest speed of the fluid [m/s]; the next step's length follows from it
   int short_steps = 0;      ///< how many in a row were far below their cap, by Watch::check_step

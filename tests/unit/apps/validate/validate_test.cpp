@@ -92,8 +92,8 @@ TEST(Validate, RefusesCasesAndFoldersThatAreNotThere) {
   EXPECT_THROW(validate(request, still_water(1), {}), apps::BadFolder);
 }
 
-TEST(Cases, HaveScenesAndReferencesWhereTheProgramLooks) {
-  const std::filesystem::path scenes = find_scenes();
+TEST(Cases, HaveScenesAndReferences) {
+  const std::filesystem::path scenes = std::filesystem::path(SEICHE_SOURCE_DIR) / "scenes";
   EXPECT_TRUE(std::filesystem::exists(scenes / "pan2008.toml"));
   const Bench bench(scenes, true, 1, [] { return false; });
   EXPECT_EQ(bench.reference("theory_fnpf_impulsive", "t", "eta_left").size(), 855u);
