@@ -28,9 +28,12 @@ TEST(JsonSchema, HasEachKeyWithItsTypeDefaultAndRange) {
     const json& key = properties.at(std::string(option.key));
     EXPECT_TRUE(key.contains("type") && key.contains("default")) << dotted(option);
     EXPECT_NE(key.at("description").get<std::string>().find(option.help), std::string::npos) << dotted(option);
-    if (std::holds_alternative<Range>(option.rule)) EXPECT_TRUE(key.contains("maximum")) << dotted(option);
-    if (const auto* choices = std::get_if<Choices>(&option.rule))
+    if (std::holds_alternative<Range>(option.rule)) {
+      EXPECT_TRUE(key.contains("maximum")) << dotted(option);
+    }
+    if (const auto* choices = std::get_if<Choices>(&option.rule)) {
       EXPECT_EQ(key.at("enum").size(), choices->size()) << dotted(option);
+    }
   }
 }
 
