@@ -23,7 +23,7 @@ RunInfo run_info(const Scene& scene) {
   info.density = p.fluid.density;
   info.gravity = p.gravity;
   info.spacing = p.particles.spacing;
-  info.sway = motion_extent(p);
+  info.excursion = motion_extent(p);
   info.frame_interval = 1 / scene.output.frame_rate;
   info.end = p.time.end;
   if (scene.samples()) info.sensors = sensor_columns(p);

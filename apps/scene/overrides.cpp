@@ -66,7 +66,7 @@ Settings override_settings(const std::vector<Override>& overrides) {
       read_list_text(*list, each.value, each.origin, result);
     } else {
       const std::string message =
-          fmt::format("{}: '{}' is no key of a scene; {}", each.origin, each.key, hint(each.key));
+          fmt::format("{}: unknown key '{}'; {}", each.origin, each.key, hint(each.key));
       result.complaints.push_back({message, {}});
     }
   }

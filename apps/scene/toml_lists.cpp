@@ -26,7 +26,7 @@ ListSetting::Table read_table(const List& list, const toml::table& table, const 
     const std::string name(key.str());
     const Member* member = find_member(list, name);
     if (!member) {
-      const std::string message = fmt::format("{} {} is no key of this list; {}", title(list), name, hint(list, name));
+      const std::string message = fmt::format("unknown key {} {}; {}", title(list), name, hint(list, name));
       complain(place(key.source()), message, out);
     } else if (const auto value = value_of_node(node)) {
       const Place at = place(node.source());

@@ -75,7 +75,7 @@ class Reader {
     const Option* option = find_option(section, name);
     if (!option) {
       const std::string shown = section.empty() ? name : fmt::format("[{}] {}", section, name);
-      return complain(key, fmt::format("{} is no key of a scene{}", shown, key_hint(section, name)));
+      return complain(key, fmt::format("unknown key {}{}", shown, key_hint(section, name)));
     }
     const auto value = value_of_node(node);
     if (!value) return complain(key, fmt::format("{} takes one value; expected {}", title(*option), expected(*option)));

@@ -30,8 +30,8 @@ bool rests_at_zero(const std::string& name) {
 // A share of what the still liquid has, as one expects it to change; of the motion all of it, which is known.
 double reach_of(const std::string& column, const RunInfo& run) {
   const std::string name = bare_name(column);
-  if (name == "surge" && run.sway[0] != 0) return run.sway[0];
-  if (name == "heave" && run.sway[1] != 0) return run.sway[1];
+  if (name == "surge" && run.excursion[0] != 0) return run.excursion[0];
+  if (name == "heave" && run.excursion[1] != 0) return run.excursion[1];
   const double specific = run.density * std::abs(run.gravity);
   const double volume = run.tank[0] * run.depth * (run.dimension == 3 ? run.tank[2] : 1);
   const auto is_in = [&](const char* unit) { return column.find(unit) != std::string::npos; };

@@ -25,8 +25,8 @@ Bounds room_of(const RunInfo& run, const Look& look, const Frame& first) {
     }
   if (look.view == "lab")
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      room.low[axis] -= std::abs(run.sway[axis]);
-      room.high[axis] += std::abs(run.sway[axis]);
+      room.low[axis] -= std::abs(run.excursion[axis]);
+      room.high[axis] += std::abs(run.excursion[axis]);
     }
   return room;
 }

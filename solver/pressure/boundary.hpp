@@ -15,9 +15,9 @@ template <int D>
 struct PaperBoundary {
   const State<D>& s;
   bool unknown(int i) const { return s.kind[i] != Kind::dummy && !s.surface[i]; }
-  double own(int) const { return 0; }
-  double on_diagonal(int j, double weight) const { return s.kind[j] == Kind::dummy ? 0 : weight; }
-  double on_right(int, int, double, const Vec<D>&) const { return 0; }
+  double diagonal(int) const { return 0; }
+  double pair_diagonal(int j, double weight) const { return s.kind[j] == Kind::dummy ? 0 : weight; }
+  double pair_rhs(int, int, double, const Vec<D>&) const { return 0; }
 };
 
 /// The stabilised scheme's: fluid is unknown but for the free surface, whose pressures are given. Behind a wall the
@@ -35,9 +35,9 @@ struct GhostBoundary {
   double n0;                              ///< n0 of the Laplacian's own radius
   const Vecs<D>& slope;                   ///< rho f at each fluid particle [Pa/m]
   bool unknown(int i) const { return s.kind[i] == Kind::fluid && !s.surface[i]; }
-  double own(int i) const { return near[i] ? 4. / 3 * n0 * std::max(0.0, 1 - density[i] / density_n0) : 0; }
-  double on_diagonal(int j, double weight) const { return s.kind[j] == Kind::fluid ? weight : 0; }
-  double on_right(int i, int j, double weight, const Vec<D>& rij) const {
+  double diagonal(int i) const { return near[i] ? 4. / 3 * n0 * std::max(0.0, 1 - density[i] / density_n0) : 0; }
+  double pair_diagonal(int j, double weight) const { return s.kind[j] == Kind::fluid ? weight : 0; }
+  double pair_rhs(int i, int j, double weight, const Vec<D>& rij) const {
     return weight * (s.kind[j] == Kind::fluid ? s.pressure[j] : rise_across(s.normal[j], slope[i], rij));
   }
 };

@@ -33,7 +33,7 @@ class PressureSystem {
     for (int k = 0; k < rows; ++k) start_[k + 1] += start_[k];
     resize_kept(column_, start_[rows]);
     resize_kept(value_, start_[rows]);
-    resize_kept(right_, rows);
+    resize_kept(rhs_, rows);
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < rows; ++k) fill_row(pairs, diagonal, boundary, s, k);
   }
@@ -43,7 +43,7 @@ class PressureSystem {
     return {rows(), rows(), static_cast<int>(value_.size()), start_.data(), column_.data(), value_.data()};
   }
   /// b; holds what the boundary adds after assemble(), to which the caller adds the source.
-  VectorView right() { return {right_.data(), rows()}; }
+  VectorView rhs() { return {rhs_.data(), rows()}; }
   /// Particle of a row, and row of a particle (-1: it has none).
   int particle(int row) const { return particle_[row]; }
   int row(int particle) const { return row_[particle]; }
@@ -53,13 +53,13 @@ class PressureSystem {
   void fill_row(const Pairs<D>& pairs, double diagonal, const Boundary& boundary, const State<D>& s, int k) {
     const int i = particle_[k];
     int out = start_[k], place = -1;
-    double sum = diagonal + boundary.own(i), right = 0;
+    double sum = diagonal + boundary.diagonal(i), rhs = 0;
     pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
       if (place < 0 && j > i) place = out++;
       weight *= s.wet[j] * rij.squaredNorm();
       if (row_[j] < 0) {
-        sum += boundary.on_diagonal(j, weight);
-        right += boundary.on_right(i, j, weight, rij);
+        sum += boundary.pair_diagonal(j, weight);
+        rhs += boundary.pair_rhs(i, j, weight, rij);
       } else {
         sum += weight;
         column_[out] = row_[j];
@@ -69,11 +69,11 @@ class PressureSystem {
     if (place < 0) place = out;
     column_[place] = k;
     value_[place] = sum;
-    right_[k] = right;
+    rhs_[k] = rhs;
   }
 
   std::vector<int> row_, particle_, start_, column_;
-  Scalars value_, right_;
+  Scalars value_, rhs_;
 };
 
 }  // namespace seiche::solver

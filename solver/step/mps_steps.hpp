@@ -242,7 +242,7 @@ void Mps<D>::assemble(const Boundary& boundary, double dt) {
   for (int k = 0; k < system_.rows(); ++k) {
     const int i = system_.particle(k);
     const double excess = source.mixed ? excess_[i] : (s_.density[i] - n0) / n0;
-    system_.right()[k] += scale * source(divergence_[i] + dt * force_divergence_, excess, s_.near_surface[i]);
+    system_.rhs()[k] += scale * source(divergence_[i] + dt * force_divergence_, excess, s_.near_surface[i]);
     solution_[k] = s_.pressure[i];
   }
 }
@@ -250,9 +250,9 @@ void Mps<D>::assemble(const Boundary& boundary, double dt) {
 template <int D>
 void Mps<D>::solve_system() {
   if (system_.rows() == 0) return;
-  if (!system_.right().allFinite()) watch_.fail_not_finite(s_);
+  if (!system_.rhs().allFinite()) watch_.fail_not_finite(s_);
   const SolveReport report =
-      solver_->solve(system_.matrix(), system_.right(), VectorView(solution_.data(), system_.rows()));
+      solver_->solve(system_.matrix(), system_.rhs(), VectorView(solution_.data(), system_.rows()));
   totals_.iterations += report.iterations;
   totals_.last_iterations = report.iterations;
   totals_.last_residual = report.residual;

@@ -11,7 +11,7 @@ namespace {
 void solve(benchmark::State& state, SolverName name) {
   StirredTank& tank = stirred_tank(static_cast<int>(state.range(0)));
   omp_set_num_threads(static_cast<int>(state.range(1)));
-  Eigen::VectorXd b = tank.pressure.right();  // a still tank's, and a source that isn't smooth
+  Eigen::VectorXd b = tank.pressure.rhs();  // a still tank's, and a source that isn't smooth
   for (int k = 0; k < b.size(); ++k) b[k] += 10 * std::sin(k);
   const auto solver = solver::make_pressure_solver(name, 1e-5, 100000);
   solver::SolveReport report;

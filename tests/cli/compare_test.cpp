@@ -204,7 +204,7 @@ TEST(Compare, BadInputIsRefusedBeforeAnythingIsRunOrWritten) {
   EXPECT_EQ(error_of({quick}),
             "seiche: nothing varies; give --vary KEY=VALUE,VALUE, as in --vary method.kernel=KF1,KF3\n");
   EXPECT_EQ(error_of({quick, "--vary", "method.kernl=KF1"}),
-            "seiche: --vary method.kernl=KF1: 'method.kernl' is no key of a scene; did you mean 'method.kernel'?\n");
+            "seiche: --vary method.kernl=KF1: unknown key 'method.kernl'; did you mean 'method.kernel'?\n");
   EXPECT_EQ(error_of({quick, "--vary", "method.kernel=KF1,KF9"}),
             "--vary method.kernel=KF9: [method] kernel = 'KF9' is none of its choices; expected one of KF1, KF2, KF3, "
             "KF4, KF5\n");

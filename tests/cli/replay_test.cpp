@@ -130,7 +130,7 @@ TEST_F(Replay, BadInputIsRefusedInOneSentenceAndNothingIsWritten) {
     EXPECT_TRUE(error_of({verb, "half"})
                     .starts_with("seiche: half/run.json can't be used: it is damaged or cut off at byte 16"));
     EXPECT_EQ(error_of({verb, "out/quick", "--set", "look.colour_mop=turbo"}),
-              "--set look.colour_mop=turbo: 'look.colour_mop' is no key of a scene; did you mean 'look.colour_map'?\n");
+              "--set look.colour_mop=turbo: unknown key 'look.colour_mop'; did you mean 'look.colour_map'?\n");
     EXPECT_EQ(error_of({verb, "out/quick", "--set", "motion.amplitude=1"}),
               "--set motion.amplitude=1: motion.amplitude is settled by the run; only [look] and output.size can be "
               "changed without running the scene again\n");

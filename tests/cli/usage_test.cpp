@@ -70,7 +70,7 @@ TEST(Usage, ABadSceneIsRefusedBeforeAnythingIsWritten) {
   const Scratch scratch;
   write_text(scratch / "x.toml", "[motion]\n  amplitde = 0.1\nfrequency = nan\n");
   const std::string expected =
-      "x.toml:2:3: [motion] amplitde is no key of a scene; did you mean 'amplitude'?\n"
+      "x.toml:2:3: unknown key [motion] amplitde; did you mean 'amplitude'?\n"
       "x.toml:3:13: [motion] frequency = nan is not finite; expected a number from 0 to 100 [Hz]\n";
   for (const std::string verb : {"run", "check"}) {
     const Result result = seiche(scratch.folder(), {verb, "x.toml"});
@@ -102,7 +102,7 @@ TEST(Usage, EachBadSceneExitsWith2AndNamesTheFault) {
       "--range 1: [look] range = '1' cannot be used; expected scene, frame, run, or min,max as in -100,3000, in the "
       "quantity's unit\n");
   EXPECT_EQ(error_of("", {"--set", "tank.lenght=1"}),
-            "--set tank.lenght=1: 'tank.lenght' is no key of a scene; did you mean 'tank.length'?\n");
+            "--set tank.lenght=1: unknown key 'tank.lenght'; did you mean 'tank.length'?\n");
   EXPECT_EQ(error_of("", {"--set", "look.curves=eta_lft"}),
             "--set look.curves=eta_lft: [look] curves = 'eta_lft' is no sensor of this scene; expected one of "
             "p_left_bottom, eta_left, eta_right, force_x, force_y, moment, kinetic_energy, potential_energy, volume, "

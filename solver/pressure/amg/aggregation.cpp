@@ -22,12 +22,12 @@ void each_strong(const AmgMatrix& a, int i, F f) {
 void Aggregates::find(const AmgMatrix& a) {
   count = 0;
   of.assign(a.rows, undecided);
-  found(a);
+  form(a);
   join(a);
   list_members(a.rows);
 }
 
-void Aggregates::found(const AmgMatrix& a) {
+void Aggregates::form(const AmgMatrix& a) {
   constexpr int enough = 3;  // 4 takes one or two iterations more, 5 fails on a perfect lattice: 65 instead of 10
   for (int i = 0; i < a.rows; ++i) {
     if (of[i] != undecided) continue;

@@ -22,7 +22,7 @@ struct Aggregates {
   }
 
  private:
-  void found(const AmgMatrix& a);
+  void form(const AmgMatrix& a);
   void join(const AmgMatrix& a);
   void list_members(int rows);
 };

@@ -28,7 +28,7 @@ inline RunInfo run_info(const Box& box) {
   run.density = 1000;
   run.gravity = 9.81;
   run.spacing = box.spacing;
-  run.sway = {0.02, 0, 0};
+  run.excursion = {0.02, 0, 0};
   run.frame_interval = 0.02;
   run.end = 10;
   return run;

@@ -31,7 +31,7 @@ struct StirredSystem {
     }
     tank.set_surface_pressure();
     system = tank.system(tank.ghost(), diagonal * tank.ref.n0);
-    b = system.right();
+    b = system.rhs();
     for (int k = 0; k < b.size(); ++k) b[k] += 10 * std::sin(k);
   }
 

@@ -39,7 +39,7 @@ TEST(ParseVary, TakesAKeyAndItsValues) {
 
 TEST(ParseVary, RefusesWhatIsNoKeyOrNoneToVary) {
   EXPECT_EQ(refusal_of("method.kernl=KF1"),
-            "--vary method.kernl=KF1: 'method.kernl' is no key of a scene; did you mean 'method.kernel'?");
+            "--vary method.kernl=KF1: unknown key 'method.kernl'; did you mean 'method.kernel'?");
   EXPECT_EQ(refusal_of("sensors.gauge=1"), "--vary sensors.gauge=1: a list can't be varied; vary a key of one value");
   EXPECT_EQ(refusal_of("look.range=frame"),
             "--vary look.range=frame: look.range says how all variants look; vary what is simulated, and give "

@@ -67,7 +67,7 @@ TEST_F(StoredRunTest, HasTheSceneThatWasRun) {
   EXPECT_EQ(scene_hash(run.scene), scene_hash(scene)) << "which covers every key and every sample";
   EXPECT_EQ(run.info.name, "a");
   EXPECT_EQ(run.info.sensors, run_info(scene).sensors);
-  EXPECT_EQ(run.info.sway, run_info(scene).sway);
+  EXPECT_EQ(run.info.excursion, run_info(scene).excursion);
   EXPECT_EQ(run.scene.look.width, 640);
   ASSERT_EQ(run.scene.look.references.size(), 1u);
   EXPECT_TRUE(std::isnan(run.scene.look.references[0].series.value[1])) << "a gap";

@@ -93,9 +93,9 @@ TEST(Lists, AreReplacedByAnOverride) {
 TEST(Lists, NameThePlaceOfEachMistake) {
   EXPECT_EQ(errors_of("[[sensors.gauge]]\nnam = \"a\"\n"),
             "x.toml:1:1: [[sensors.gauge]] has no name; expected a name of a-z, 0-9 and _\n"
-            "x.toml:2:1: [[sensors.gauge]] nam is no key of this list; did you mean 'name'?");
+            "x.toml:2:1: unknown key [[sensors.gauge]] nam; did you mean 'name'?");
   EXPECT_EQ(errors_of("[[sensors.gage]]\nname = \"a\"\n"),
-            "x.toml:1:11: [sensors] gage is no key of a scene; did you mean 'gauge'?");
+            "x.toml:1:11: unknown key [sensors] gage; did you mean 'gauge'?");
   EXPECT_EQ(errors_of("[[senors]]\nname = \"a\"\n"),
             "x.toml:1:3: [senors] is no section of a scene; did you mean [sensors]?");
   EXPECT_EQ(errors_of("[[sensors.gauge]]\nname = \"a\"\nx = \"left\"\n"),
@@ -133,7 +133,7 @@ TEST(Lists, NameTheFlagAtFault) {
   EXPECT_NE(errors_of("", {parse_set("sensors.gauge=mid")}).find("[{name = ..., x = ..., z = ...}]"),
             std::string::npos);
   EXPECT_EQ(errors_of("", {parse_set("gauge=[]")}),
-            "--set gauge=[]: 'gauge' is no key of a scene; did you mean 'sensors.gauge'?");
+            "--set gauge=[]: unknown key 'gauge'; did you mean 'sensors.gauge'?");
 }
 
 TEST(Lists, AreInRunJson) {

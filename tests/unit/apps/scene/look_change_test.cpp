@@ -54,7 +54,7 @@ TEST(LookChange, RefusesWhatTheRunHasSettled) {
 TEST(LookChange, RefusesWhatNobodyKnowsAsARunDoes) {
   const Scene scene = parse_scene("", "x.toml", {});
   EXPECT_EQ(refusal(scene, "look.colour_mop=turbo"),
-            "--set look.colour_mop=turbo: 'look.colour_mop' is no key of a scene; did you mean 'look.colour_map'?");
+            "--set look.colour_mop=turbo: unknown key 'look.colour_mop'; did you mean 'look.colour_map'?");
   EXPECT_NE(refusal(scene, "look.colour_map=red").find("expected one of viridis, cividis"), std::string::npos);
   EXPECT_NE(refusal(scene, "look.curves=eta_lft").find("did you mean 'eta_left'?"), std::string::npos);
 }

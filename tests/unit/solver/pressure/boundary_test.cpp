@@ -44,11 +44,11 @@ TYPED_TEST(Boundary, AirBelongsToTheSecondLayerOnly) {
   r[1] = 0.085;  // the second layer lacks what lies 2 l0 above: 3 neighbours in 2-D, 9 in 3-D
   const double above = D == 2 ? tank.w(2 * l0) + 2 * tank.w(std::sqrt(5) * l0)
                               : tank.w(2 * l0) + 4 * tank.w(std::sqrt(5) * l0) + 4 * tank.w(std::sqrt(6) * l0);
-  EXPECT_NEAR(ghost.own(test::nearest<D>(tank.s, r)), 4. / 3 * above, 1e-12);
+  EXPECT_NEAR(ghost.diagonal(test::nearest<D>(tank.s, r)), 4. / 3 * above, 1e-12);
   r[1] = 0.075;
-  EXPECT_NEAR(ghost.own(test::nearest<D>(tank.s, r)), 0, 1e-12);
+  EXPECT_NEAR(ghost.diagonal(test::nearest<D>(tank.s, r)), 0, 1e-12);
   r[1] = 0.035;
-  EXPECT_EQ(ghost.own(test::nearest<D>(tank.s, r)), 0);
+  EXPECT_EQ(ghost.diagonal(test::nearest<D>(tank.s, r)), 0);
 }
 
 TYPED_TEST(Boundary, WallsOfStillWaterReadItsPressure) {

@@ -16,7 +16,7 @@ struct Solvers : ::testing::TestWithParam<SolverName> {
     test::StillTank<2> tank;
     tank.set_surface_pressure();
     system = tank.system(tank.ghost(), 1e-7 * tank.ref.n0);
-    b = system.right();
+    b = system.rhs();
     for (int k = 0; k < b.size(); ++k) b[k] += 10 * std::sin(k);
     exact = Eigen::VectorXd::Zero(b.size());
     EXPECT_TRUE(make_pressure_solver(SolverName::cholmod, 0, 0)->solve(system.matrix(), b, exact).converged);

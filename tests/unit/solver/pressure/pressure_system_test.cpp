@@ -87,10 +87,10 @@ TYPED_TEST(PressureSystemOf, RowsSumToWhatIsKnownAroundThem) {
       const int i = system.particle(k);
       double known = 0;  // weights of the neighbours whose pressure is given
       for (int j : tank.list[i])
-        if (tank.s.surface[j] && boundary.on_diagonal(j, 1) > 0)
+        if (tank.s.surface[j] && boundary.pair_diagonal(j, 1) > 0)
           known += tank.w((tank.s.position[j] - tank.s.position[i]).norm());
       beside_the_surface += known > 0;
-      EXPECT_NEAR(sums[k], diagonal + boundary.own(i) + known, 1e-13 * a.coeff(k, k));
+      EXPECT_NEAR(sums[k], diagonal + boundary.diagonal(i) + known, 1e-13 * a.coeff(k, k));
     }
     EXPECT_GT(beside_the_surface, 10);
     EXPECT_LT(beside_the_surface, a.rows() / 2);

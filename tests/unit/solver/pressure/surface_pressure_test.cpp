@@ -100,8 +100,8 @@ TEST(SurfacePressure, LetsTheLiquidFeelTheNormalViscousStress) {
   velocity_divergence(tank.pairs(), tank.ref.n0, s, divergence);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(system.rows());
   for (int k = 0; k < system.rows(); ++k)
-    system.right()[k] -= tank.ref.lambda * tank.ref.n0 / 4 * divergence[system.particle(k)];
-  make_pressure_solver(SolverName::cholmod, 0, 0)->solve(system.matrix(), system.right(), x);
+    system.rhs()[k] -= tank.ref.lambda * tank.ref.n0 / 4 * divergence[system.particle(k)];
+  make_pressure_solver(SolverName::cholmod, 0, 0)->solve(system.matrix(), system.rhs(), x);
 
   // phi = u_x/(-k tan(k x)) of the wave's flow; least squares over what lies well below the surface.
   const double k = std::numbers::pi / p.tank.length;

@@ -43,7 +43,7 @@ void expect_hydrostatic(const StillTank<D>& tank, PressureSystem<D>& system) {
   const SparseView a = system.matrix();
   Eigen::VectorXd exact(system.rows());
   for (int k = 0; k < system.rows(); ++k) exact[k] = tank.hydrostatic(tank.s.position[system.particle(k)]);
-  const Eigen::VectorXd residual = a * exact - system.right();
+  const Eigen::VectorXd residual = a * exact - system.rhs();
   for (int k = 0; k < system.rows(); ++k)
     EXPECT_NEAR(residual[k] / a.coeff(k, k) / (tank.slope.norm() * l0), 0, 1e-10)
         << tank.s.position[system.particle(k)].transpose() / l0;
@@ -66,7 +66,7 @@ TYPED_TEST(StillWater, SolvesThePressureEquationUnderSidewaysForce) {
   auto system = tank.system(tank.ghost());
   Eigen::VectorXd exact(system.rows());
   for (int k = 0; k < system.rows(); ++k) exact[k] = tank.slope.dot(tank.s.position[system.particle(k)]);
-  const Eigen::VectorXd residual = system.matrix() * exact - system.right();
+  const Eigen::VectorXd residual = system.matrix() * exact - system.rhs();
   EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-10 * tank.slope.norm() * l0);
 }
 
