@@ -67,7 +67,7 @@ std::unique_ptr<ImageSink> on_thread(std::unique_ptr<ImageSink> taker);
 /// Draws each frame once and hands the picture to all takers. With range "run" frames are kept in a file without a name
 /// in `folder` and drawn in end().
 std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers,
-                               const std::filesystem::path& folder = std::filesystem::temp_directory_path());
+                               const std::filesystem::path& folder);
 
 /// folder/vtu/name_000123.vtu, folder/name.pvd and folder/name.vtu.series, both valid after every frame.
 std::unique_ptr<Sink> vtu_series(const std::filesystem::path& folder);

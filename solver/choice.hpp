@@ -47,7 +47,7 @@ struct ChoiceTable<Preset> {
 };
 template <>
 struct ChoiceTable<Order> {
-  static constexpr std::array rows{Choice{Order::project_first, "project-first", "particles move after the solve"},
+  static constexpr std::array rows{Choice{Order::project_first, "project-first", "after the pressure solve"},
                                    Choice{Order::move_first, "move-first", "before it, the paper's"}};
 };
 template <>
@@ -80,9 +80,10 @@ struct ChoiceTable<SurfaceTest> {
 };
 template <>
 struct ChoiceTable<SeparationModel> {
-  static constexpr std::array rows{Choice{SeparationModel::collide, "collide", "lose their approach velocity"},
-                                   Choice{SeparationModel::part, "part", "the additional modification"},
-                                   Choice{SeparationModel::none, "none", "are left"}};
+  static constexpr std::array rows{
+      Choice{SeparationModel::collide, "collide", "they lose their velocity of approach"},
+      Choice{SeparationModel::part, "part", "they are moved apart, the paper's additional modification"},
+      Choice{SeparationModel::none, "none", "nothing"}};
 };
 template <>
 struct ChoiceTable<ViscousModel> {

@@ -97,7 +97,7 @@ struct Parameters {
     double separation_distance = 0.8;  ///< pairs nearer than this are separated [l0]
     double shift = 1;                  ///< rate of particle shifting [sqrt(g H)/l0]; 0: none
     ViscousModel viscous = ViscousModel::strain_rate;
-    WallModel walls = WallModel::ghosts;
+    WallModel wall_model = WallModel::ghosts;
     WallSlip wall = WallSlip::free;
   } method;
 

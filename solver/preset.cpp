@@ -17,7 +17,7 @@ void apply_preset(Parameters& p, Preset preset) {
     m.radius_laplacian = 3.1;
     m.surface_beta = 0.97;
     m.order = Order::move_first;
-    m.walls = WallModel::particles;
+    m.wall_model = WallModel::particles;
     m.source = SourceTerm::density;
     m.gradient = GradientModel::minimum;
     m.surface = SurfaceTest::density;

@@ -128,7 +128,7 @@ Replayed draw_again(const ReplayRequest& request, const Replay& replay, FrameLis
   ReplayFrames frames(replay.run, std::move(list));
   if (whole) frames.hand_out_all_readings();
   Outputs outputs;
-  outputs.add("pictures", render::pictures(look, std::move(takers)));
+  outputs.add("pictures", render::pictures(look, std::move(takers), replay.run.folder));
   Ahead<FramePtr> ahead([&](const std::stop_token& stop) { return frames.next(stop); }, frames_ahead);
   Progress progress(Progress::suitable(request.quiet));
   return replay_loop(ahead, outputs, replay.info, span, progress, [&] { return signals.caught(); });

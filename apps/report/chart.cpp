@@ -29,19 +29,17 @@ std::string percent(double share) { return fmt::format("{:.2f}%", 100 * share); 
 std::string grid(const Axes& axes) {
   std::string svg;
   const auto out = std::back_inserter(svg);
-  const render::Ticks values = render::round_ticks(axes.range, value_parts);
-  for (const double value : values.values) {
+  for (const auto& [value, label] : render::axis_of(axes.range, value_parts).ticks) {
     const std::string y = percent(axes.down(value));
     fmt::format_to(out, "<line class=\"{}\" x2=\"100%\" y1=\"{}\" y2=\"{}\"/>", value == 0 ? "rest" : "grid", y, y);
-    fmt::format_to(out, "<text class=\"value\" x=\"0\" y=\"{}\" dx=\"-8\" dy=\".35em\">{}</text>\n", y,
-                   render::tick_label(value, values.step));
+    fmt::format_to(out, "<text class=\"value\" x=\"0\" y=\"{}\" dx=\"-8\" dy=\".35em\">{}</text>\n", y, label);
   }
-  const render::Ticks times = render::round_ticks({0, axes.end}, time_parts);
-  for (std::size_t i = 0; i < times.values.size(); ++i) {
-    const std::string x = percent(axes.across(times.values[i]));
+  const render::Axis times = render::axis_of({0, axes.end}, time_parts);
+  for (std::size_t i = 0; i < times.ticks.size(); ++i) {
+    const std::string x = percent(axes.across(times.ticks[i].place));
     fmt::format_to(out, "<line class=\"tick\" x1=\"{}\" x2=\"{}\" y1=\"100%\" y2=\"100%\"/>", x, x);
     fmt::format_to(out, "<text class=\"time{}\" x=\"{}\" y=\"100%\" dy=\"1.6em\">{}</text>\n", i % 2 == 1 ? " odd" : "",
-                   x, render::tick_label(times.values[i], times.step));
+                   x, times.ticks[i].label);
   }
   svg += "<text class=\"value\" x=\"0\" y=\"100%\" dx=\"-22\" dy=\"1.6em\">t [s]</text>\n";
   return svg;

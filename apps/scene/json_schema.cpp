@@ -26,7 +26,7 @@ void add_range(Json& schema, const Range& range) {
 template <class Key>
 Json key_schema(const Key& key, const Value& value) {
   Json schema{{"type", type_of(value)}};
-  schema["description"] = fmt::format("{}{}{}", key.help, key.help.empty() ? "" : ": ", expected(key));
+  schema["description"] = fmt::format("{}{}{}", key.help, key.help.empty() ? "" : ": ", explained(key));
   if (!key.unit.empty()) schema["x-unit"] = key.unit;
   if (const auto* range = std::get_if<Range>(&key.rule)) add_range(schema, *range);
   if (const auto* choices = std::get_if<Choices>(&key.rule)) schema["enum"] = *choices;

@@ -24,7 +24,7 @@ std::string shown(const Value& value) {
 
 template <class Key>
 std::string row(const Key& key, const std::string& value) {
-  return fmt::format("| `{}` | {} | {} | {} |\n", key.key, value, cell(expected(key)), cell(std::string(key.help)));
+  return fmt::format("| `{}` | {} | {} | {} |\n", key.key, value, cell(explained(key)), cell(std::string(key.help)));
 }
 
 std::string list_table(const List& list) {

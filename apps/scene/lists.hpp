@@ -51,6 +51,9 @@ std::string form(const List& list);
 /// What the member takes.
 std::string expected(const Member& member);
 
+/// The same: what a member takes needs no more words in documents.
+inline std::string explained(const Member& member) { return expected(member); }
+
 /// The member of one table.
 Target target(const Member& member, Scene& scene, std::size_t row);
 

@@ -33,8 +33,10 @@ Choices names() {
 template <auto member>
 Chosen chosen() {
   using E = std::remove_cvref_t<decltype(member(std::declval<Scene&>()))>;
+  std::vector<std::string_view> meanings;
+  for (const Choice<E>& row : ChoiceTable<E>::rows) meanings.push_back(row.help);
   return {[](const Scene& s) { return std::string(name(member(s))); },
-          [](Scene& s, std::string_view text) { member(s) = value_named<E>(text); }};
+          [](Scene& s, std::string_view text) { member(s) = value_named<E>(text); }, meanings};
 }
 
 std::string get_size(const Scene& s) { return fmt::format("{}x{}", s.look.width, s.look.height); }
@@ -77,9 +79,7 @@ const Written curves{get_curves, set_curves, "auto, none, or up to 3 sensors, as
   > (), names<decltype(Scene().member)>()
 const std::vector<Option>& options() {
   static const std::vector<Option> table{
-      {"", "preset", "", CHOICE(parameters.preset),
-       "scheme that [method], pressure.solver and courant start from: the paper's, or one that keeps the pressure "
-       "smooth"},
+      {"", "preset", "", CHOICE(parameters.preset), "scheme that [method], pressure.solver and courant start from"},
       {"", "gravity", "m/s^2", AT(parameters.gravity), Range{0, 100, true}, "downwards"},
 
       {"fluid", "density", "kg/m^3", AT(parameters.fluid.density), Range{0, 1e5, true}, "rho"},
@@ -130,21 +130,18 @@ const std::vector<Option>& options() {
        "r_e of the Laplacian"},
       {"method", "surface_beta", "", AT(parameters.method.surface_beta), Range{0, 1, true},
        "beta of equation (11): free surface where n < beta n0"},
-      {"method", "order", "", CHOICE(parameters.method.order),
-       "whether particles move after or before the pressure solve"},
-      {"method", "source", "", CHOICE(parameters.method.source),
-       "right-hand side of the pressure equation; density: equation (10)"},
-      {"method", "gradient", "", CHOICE(parameters.method.gradient), "pressure gradient; plain: equation (4)"},
-      {"method", "surface", "", CHOICE(parameters.method.surface), "test for the free surface; density: equation (11)"},
-      {"method", "separation", "", CHOICE(parameters.method.separation),
-       "of pairs that come too near; part: the additional modification"},
+      {"method", "order", "", CHOICE(parameters.method.order), "when particles move"},
+      {"method", "source", "", CHOICE(parameters.method.source), "right-hand side of the pressure equation"},
+      {"method", "gradient", "", CHOICE(parameters.method.gradient), "pressure gradient"},
+      {"method", "surface", "", CHOICE(parameters.method.surface), "test for the free surface"},
+      {"method", "separation", "", CHOICE(parameters.method.separation), "what happens to pairs that come too near"},
       {"method", "separation_distance", "l0", AT(parameters.method.separation_distance), Range{0, 1},
        "pairs nearer than this are separated"},
       {"method", "shift", "sqrt(g H)/l0", AT(parameters.method.shift), Range{0, 2},
        "rate of particle shifting; 0: none"},
-      {"method", "viscous", "", CHOICE(parameters.method.viscous), "form of the viscous term; laplacian: equation (5)"},
-      {"method", "walls", "", CHOICE(parameters.method.walls),
-       "what bounds the liquid in the pressure equation; particles: the paper's"},
+      {"method", "viscous", "", CHOICE(parameters.method.viscous), "form of the viscous term"},
+      {"method", "wall_model", "", CHOICE(parameters.method.wall_model),
+       "what bounds the liquid in the pressure equation"},
       {"method", "wall", "", CHOICE(parameters.method.wall), "what walls do to the viscous term"},
 
       {"pressure", "solver", "", CHOICE(parameters.pressure.solver),

@@ -64,6 +64,16 @@ std::string dotted(const Option& option) {
   return option.section.empty() ? std::string(option.key) : fmt::format("{}.{}", option.section, option.key);
 }
 
+std::string explained(const Option& option) {
+  const auto* chosen = std::get_if<Chosen>(&option.access);
+  if (!chosen) return expected(option);
+  std::string text;
+  const Choices& names = std::get<Choices>(option.rule);
+  for (std::size_t k = 0; k < names.size(); ++k)
+    text += fmt::format("{}{}: {}", k > 0 ? "; " : "", names[k], chosen->meanings[k]);
+  return text;
+}
+
 std::string expected(const Option& option) {
   if (const auto* written = std::get_if<Written>(&option.access)) {
     return option.unit.empty() ? std::string(written->form) : fmt::format("{} [{}]", written->form, option.unit);

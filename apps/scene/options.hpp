@@ -22,6 +22,7 @@ struct Written {
 struct Chosen {
   std::string (*get)(const Scene&);
   void (*set)(Scene&, std::string_view);
+  std::vector<std::string_view> meanings;  ///< of its Choices, in their order
 };
 
 /// One key of a scene file.
@@ -51,6 +52,9 @@ std::string dotted(const Option& option);
 
 /// What the key takes, as in "a number from 0 to 10 [m]" or "one of KF1, KF2".
 std::string expected(const Option& option);
+
+/// The same for documents: a choice that comes with meanings as "a: what a is; b: what b is".
+std::string explained(const Option& option);
 
 /// Puts the value into the scene; on a wrong one the scene is left as it was and the complaint returned.
 std::optional<std::string> assign(const Option& option, Scene& scene, const Value& value);

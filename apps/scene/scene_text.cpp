@@ -27,12 +27,12 @@ std::string toml_value(const Value& value) {
   return std::visit([](const auto& plain) { return fmt::format("{}", plain); }, value);
 }
 
-// One key as a line, with what it means where `explained`.
+// One key as a line, with what it means where `commented`.
 template <class Key>
-std::string line(const Key& key, const Value& value, bool explained) {
+std::string line(const Key& key, const Value& value, bool commented) {
   const std::string bare = fmt::format("{} = {}", key.key, toml_value(value));
-  if (!explained) return bare + "\n";
-  return fmt::format("{:<32} # {}{}({})\n", bare, key.help, key.help.empty() ? "" : " ", expected(key));
+  if (!commented) return bare + "\n";
+  return fmt::format("{:<32} # {}{}({})\n", bare, key.help, key.help.empty() ? "" : " ", explained(key));
 }
 
 // A list's tables; an empty list is explained by a table that is commented out.

@@ -36,19 +36,17 @@ constexpr bool is_plain = std::is_trivially_copyable_v<Field>;
 }  // namespace
 
 FrameSpool::FrameSpool(const std::filesystem::path& folder) : folder_(folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  std::string name = (folder / ".frames-XXXXXX").string();
-  file_ = mkostemp(name.data(), O_CLOEXEC);
-  if (file_ < 0) throw failed("written", folder_, errno);
+  std::error_code ignored;  // what can't be made can't be opened either
+  std::filesystem::create_directories(folder, ignored);
+  std::string name = (folder / ".frames-XXXXXX").string();  // mkostemp() replaces the six X
+  file_ = Descriptor(mkostemp(name.data(), O_CLOEXEC));
+  if (file_.number() < 0) throw failed("written", folder_, errno);
   unlink(name.c_str());
 }
 
-FrameSpool::~FrameSpool() { close(file_); }
-
 void FrameSpool::put(const void* bytes, std::size_t size, long& place) const {
   for (const char* rest = static_cast<const char*>(bytes); size > 0;) {
-    const ssize_t count = pwrite(file_, rest, size, place);
+    const ssize_t count = pwrite(file_.number(), rest, size, place);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) throw failed("written", folder_, errno);
     rest += count;
@@ -59,7 +57,7 @@ void FrameSpool::put(const void* bytes, std::size_t size, long& place) const {
 
 void FrameSpool::get(void* bytes, std::size_t size) {
   for (char* rest = static_cast<char*>(bytes); size > 0;) {
-    const ssize_t count = pread(file_, rest, size, place_);
+    const ssize_t count = pread(file_.number(), rest, size, place_);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) throw failed("read back", folder_, count < 0 ? errno : 0);
     rest += count;

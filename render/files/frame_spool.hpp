@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "render/system/descriptor.hpp"
 #include "solver/frame.hpp"
 
 namespace seiche::render {
@@ -13,9 +14,6 @@ class FrameSpool {
  public:
   /// Makes `folder` and in it the file. Throws std::runtime_error where that fails.
   explicit FrameSpool(const std::filesystem::path& folder);
-  ~FrameSpool();
-  FrameSpool(const FrameSpool&) = delete;
-  FrameSpool& operator=(const FrameSpool&) = delete;
 
   /// Throws std::runtime_error, as where the disk is full; the frames before are still there then.
   void write(const Frame& frame);
@@ -28,7 +26,7 @@ class FrameSpool {
   void get(void* bytes, std::size_t size);
 
   std::filesystem::path folder_;
-  int file_;
+  Descriptor file_;
   long end_ = 0, place_ = 0;  // of the frames written, and of those read [bytes]
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "render/picture/overlay.hpp"
-#include "render/picture/ticks.hpp"
 
 namespace seiche::render {
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/look.hpp"
+#include "render/picture/ticks.hpp"
 
 namespace seiche::render {
 
@@ -20,9 +21,6 @@ struct Axis {
   /// How far along it a place is, from 0 where it begins to 1 where it ends.
   double along(double place) const { return (place - range.low) / (range.high - range.low); }
 };
-
-/// Into how many parts ticks may cut an axis.
-constexpr int fewest_ticks = 2, most_ticks = 8;
 
 /// With round ticks that cut the range into `most` parts at most.
 Axis axis_of(Range range, int most = most_ticks);

@@ -10,8 +10,6 @@ namespace {
 
 double power_of_ten_below(double x) { return std::pow(10.0, std::floor(std::log10(x) + 1e-9)); }
 
-constexpr int usual_steps = 8;
-
 // The smallest round step that cuts the range into no more than `most` parts; rather one, if there is, that meets both
 // its ends.
 double round_step(Range range, int most) {
@@ -41,8 +39,6 @@ Ticks round_ticks(Range range, int most) {
   return ticks;
 }
 
-Ticks round_ticks(Range range) { return round_ticks(range, usual_steps); }
-
 std::string tick_label(double value, double step) {
   const double size = std::abs(value);
   const char* sign = value < 0 ? "\u2212" : "";  // a minus, longer than a hyphen
@@ -57,7 +53,7 @@ std::string tick_label(double value, double step) {
 
 Range rounded(Range range) {
   if (!(range.high > range.low)) range.high = range.low + 1;
-  const double step = round_step(range, usual_steps);
+  const double step = round_step(range, most_ticks);
   return {step * std::floor(range.low / step + slack), step * std::ceil(range.high / step - slack)};
 }
 

@@ -11,11 +11,12 @@ struct Ticks {
   std::vector<double> values;
   double step = 1;
 };
-/// `most`: parts that the range is cut into at most, 2 or more.
-Ticks round_ticks(Range range, int most);
 
-/// Into at most eight parts.
-Ticks round_ticks(Range range);
+/// Into how many parts ticks may cut a range.
+constexpr int fewest_ticks = 2, most_ticks = 8;
+
+/// `most`: parts that the range is cut into at most.
+Ticks round_ticks(Range range, int most = most_ticks);
 
 /// The tick's number without needless digits, as in "500" or "0.25", with a true minus sign.
 std::string tick_label(double value, double step);

@@ -85,7 +85,7 @@ class Mps final : public Simulation {
   void take_out_lost();
   void start_at_rest_in_lab();
 
-  bool ghost_walls() const { return p_.method.walls == WallModel::ghosts; }
+  bool ghost_walls() const { return p_.method.wall_model == WallModel::ghosts; }
 
   /// Calls f(i) for every fluid particle.
   template <class F>

@@ -36,6 +36,17 @@ TEST(StillTank, KeepsHydrostaticPressureIn2D) {
   EXPECT_LT(worst.level, 0.35 * p.particles.spacing);
 }
 
+// Ghost walls hold still water whenever particles move.
+TEST(StillTank, KeepsHydrostaticPressureWhereParticlesMoveFirst) {
+  Parameters p = still_tank(0.5, 0.2, 0.3, 0.01);
+  p.method.order = Order::move_first;
+  p.method.shift = 0;
+  const Worst worst = watch(p, 0.4, 1.0);
+  EXPECT_LT(worst.pressure_error, 0.01);
+  EXPECT_LT(worst.corner, 0.01);
+  EXPECT_LT(worst.speed, 0.03);
+}
+
 // The same tank forty times as long. By Froude's law all scaled figures are the same but for viscosity; speeds scale by
 // the root of length and times too.
 TEST(StillTank, KeepsHydrostaticPressureAtTwentyMetres) {

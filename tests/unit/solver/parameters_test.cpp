@@ -132,7 +132,7 @@ TEST(Preset, PaperIsThePapersScheme) {
   EXPECT_EQ(p.method.separation_distance, 0.5);
   EXPECT_EQ(p.method.shift, 0);
   EXPECT_EQ(p.method.wall, WallSlip::none);
-  EXPECT_EQ(p.method.walls, WallModel::particles);
+  EXPECT_EQ(p.method.wall_model, WallModel::particles);
   EXPECT_EQ(p.time.courant, 0.1);
   EXPECT_EQ(p.pressure.solver, SolverName::iccg);
 }
@@ -147,7 +147,7 @@ TEST(Preset, StabilisedTakesEverythingBack) {
   EXPECT_EQ(p.method.radius_density, fresh.method.radius_density);
   EXPECT_EQ(p.method.radius_laplacian, fresh.method.radius_laplacian);
   EXPECT_EQ(p.method.order, Order::project_first);
-  EXPECT_EQ(p.method.walls, WallModel::ghosts);
+  EXPECT_EQ(p.method.wall_model, WallModel::ghosts);
   EXPECT_EQ(p.method.source, SourceTerm::mixed);
   EXPECT_EQ(p.method.gradient, GradientModel::corrected);
   EXPECT_EQ(p.method.surface, SurfaceTest::density_and_count);

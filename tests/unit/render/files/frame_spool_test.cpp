@@ -7,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "tests/unit/render/expect_same_frame.hpp"
 #include "tests/unit/render/scratch.hpp"
 
 using namespace seiche;
@@ -35,21 +36,7 @@ Frame sample(long index, std::size_t particles) {
 }
 
 void expect_same(const Frame& a, const Frame& b) {
-  EXPECT_EQ(a.index, b.index);
-  EXPECT_EQ(a.step, b.step);
-  EXPECT_EQ(a.time, b.time);
-  EXPECT_EQ(a.pose.displacement, b.pose.displacement);
-  EXPECT_EQ(a.pose.velocity, b.pose.velocity);
-  EXPECT_EQ(a.pose.roll, b.pose.roll);
-  EXPECT_EQ(a.pose.roll_rate, b.pose.roll_rate);
-  EXPECT_EQ(a.pose.pivot, b.pose.pivot);
-  EXPECT_EQ(a.position, b.position);
-  EXPECT_EQ(a.velocity, b.velocity);
-  EXPECT_EQ(a.pressure, b.pressure);
-  EXPECT_EQ(a.number_density, b.number_density);
-  EXPECT_EQ(a.kind, b.kind);
-  EXPECT_EQ(a.free_surface, b.free_surface);
-  EXPECT_EQ(a.id, b.id);
+  test::expect_same_frame(a, b);
   EXPECT_EQ(a.readings.time, b.readings.time);
   EXPECT_EQ(a.readings.values, b.readings.values);
 }

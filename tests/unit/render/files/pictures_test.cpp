@@ -49,7 +49,7 @@ Kept draw(const Look& look, const std::vector<FramePtr>& frames, const test::Box
   Kept kept;
   std::vector<std::unique_ptr<ImageSink>> takers;
   takers.push_back(std::make_unique<Keeper>(kept));
-  const auto sink = pictures(look, std::move(takers));
+  const auto sink = pictures(look, std::move(takers), std::filesystem::temp_directory_path());
   sink->begin(test::run_info(tank));
   for (const auto& frame : frames) sink->frame(frame);
   sink->end();
@@ -102,7 +102,7 @@ TEST(Pictures, EveryTakerGetsEachFrameOnceAndTheSame) {
   std::vector<std::unique_ptr<ImageSink>> takers;
   takers.push_back(std::make_unique<Keeper>(first));
   takers.push_back(std::make_unique<Keeper>(second));
-  const auto sink = pictures(small(), std::move(takers));
+  const auto sink = pictures(small(), std::move(takers), std::filesystem::temp_directory_path());
   sink->begin(test::run_info(box));
   for (long index = 0; index < 3; ++index) sink->frame(test::lattice(box, 0.1, index));
   sink->end();
@@ -124,7 +124,7 @@ TEST(Pictures, ATakerThatFailsAtTheEndKeepsNoOtherFromEnding) {
   std::vector<std::unique_ptr<ImageSink>> takers;
   takers.push_back(std::make_unique<Failing>());
   takers.push_back(std::make_unique<Keeper>(kept));
-  const auto sink = pictures(small(), std::move(takers));
+  const auto sink = pictures(small(), std::move(takers), std::filesystem::temp_directory_path());
   sink->begin(test::run_info(box));
   EXPECT_THROW(sink->end(), std::runtime_error);
   EXPECT_EQ(kept.ended, 1);

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <fstream>
 #include <limits>
 
 #include "render/files/provenance.hpp"
 #include "render/files/vtu.hpp"
+#include "tests/unit/render/expect_same_frame.hpp"
 #include "tests/unit/render/scratch.hpp"
 #include "tests/unit/render/synthetic.hpp"
 
@@ -17,30 +17,6 @@ using namespace seiche::render;
 namespace {
 
 const test::Box box{.length = 0.1, .height = 0.1, .depth = 0.05, .spacing = 0.01};
-
-template <class Value>
-void expect_same_bits(const std::vector<Value>& a, const std::vector<Value>& b, const char* what) {
-  ASSERT_EQ(a.size(), b.size()) << what;
-  EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0) << what;
-}
-
-void expect_same(const Frame& a, const Frame& b) {
-  EXPECT_EQ(a.index, b.index);
-  EXPECT_EQ(a.step, b.step);
-  EXPECT_EQ(a.time, b.time);
-  EXPECT_EQ(a.pose.displacement, b.pose.displacement);
-  EXPECT_EQ(a.pose.velocity, b.pose.velocity);
-  EXPECT_EQ(a.pose.roll, b.pose.roll);
-  EXPECT_EQ(a.pose.roll_rate, b.pose.roll_rate);
-  EXPECT_EQ(a.pose.pivot, b.pose.pivot);
-  expect_same_bits(a.position, b.position, "position");
-  expect_same_bits(a.velocity, b.velocity, "velocity");
-  expect_same_bits(a.pressure, b.pressure, "pressure");
-  expect_same_bits(a.number_density, b.number_density, "number_density");
-  expect_same_bits(a.kind, b.kind, "kind");
-  expect_same_bits(a.free_surface, b.free_surface, "free_surface");
-  expect_same_bits(a.id, b.id, "id");
-}
 
 void write(const std::filesystem::path& file, const Frame& frame) {
   write_vtu(file, frame, provenance(test::run_info(box), frame));
@@ -73,13 +49,13 @@ TEST(ReadVtu, GivesTheFrameThatWasWrittenBitByBit) {
   frame.number_density[4] = 0.987654f;
   frame.id[5] = 4'000'000'000;
   write(scratch / "a.vtu", frame);
-  expect_same(read_vtu(scratch / "a.vtu", 7), frame);
+  test::expect_same_frame(read_vtu(scratch / "a.vtu", 7), frame);
 }
 
 TEST(ReadVtu, TakesAFrameWithoutParticles) {
   const test::Scratch scratch;
   write(scratch / "a.vtu", Frame{});
-  expect_same(read_vtu(scratch / "a.vtu", 0), Frame{});
+  test::expect_same_frame(read_vtu(scratch / "a.vtu", 0), Frame{});
 }
 
 TEST(ReadVtu, SaysInOneSentenceWhatIsWrong) {
