@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <initializer_list>
 
 #include "solver/motion/check_motion.hpp"
 #include "solver/sensors/sensor_list.hpp"
@@ -24,19 +23,9 @@ void check_whole(const char* key, double length, double l0) {
         length, std::lround(cells), l0));
 }
 
-void check_name(const char* key, const std::string& name, std::initializer_list<const char*> names) {
-  std::string all;
-  for (const char* good : names) {
-    if (name == good) return;
-    all += all.empty() ? good : std::string(", ") + good;
-  }
-  throw BadParameters(fmt::format("{} = '{}' is none of {}", key, name, all));
-}
-
 }  // namespace
 
 void check_parameters(const Parameters& p) {
-  check_name("motion.type", p.motion.type, {"none", "surge", "heave", "roll", "harmonics", "file"});
   const double l0 = p.particles.spacing;
   check_whole("tank.length", p.tank.length, l0);
   check_whole("tank.height", p.tank.height, l0);

@@ -34,6 +34,8 @@ enum class SeparationModel { collide, part, none };
 /// Form of the viscous term.
 enum class ViscousModel { strain_rate, laplacian };
 enum class SolverName { amg, iccg, sor, cholmod };
+/// How the tank's motion is given.
+enum class MotionType { none, harmonic, harmonics, file };
 /// What the liquid does at t = 0.
 enum class Start { impulsive, smooth };
 
@@ -97,6 +99,13 @@ struct ChoiceTable<SolverName> {
       Choice{SolverName::iccg, "iccg", "conjugate gradients with incomplete Cholesky, the paper's"},
       Choice{SolverName::sor, "sor", "successive over-relaxation, the paper's other choice"},
       Choice{SolverName::cholmod, "cholmod", "sparse Cholesky factorisation, exact to rounding"}};
+};
+template <>
+struct ChoiceTable<MotionType> {
+  static constexpr std::array rows{Choice{MotionType::none, "none", "the tank is at rest"},
+                                   Choice{MotionType::harmonic, "harmonic", "one of one degree of freedom"},
+                                   Choice{MotionType::harmonics, "harmonics", "their sum, of [[motion.harmonic]]"},
+                                   Choice{MotionType::file, "file", "a CSV of samples"}};
 };
 template <>
 struct ChoiceTable<Start> {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/rigid_state.hpp"
+
 // The seam between the solver and everything that shows or stores its results. No VTK here, nothing of the solver.
 namespace seiche {
 
@@ -12,16 +14,6 @@ enum class Kind : std::uint8_t { fluid = 0, wall = 1, dummy = 2 };
 
 using Float3 = std::array<float, 3>;
 using Double3 = std::array<double, 3>;
-
-/// Where the tank's frame stands in the lab: lab position = pivot + displacement + R (r - pivot), r in the tank's frame
-/// and R the rotation by `roll` from x towards y.
-struct TankPose {
-  Double3 displacement{};  ///< of the pivot [m]
-  Double3 velocity{};      ///< of the pivot [m/s]
-  double roll = 0;         ///< [rad]
-  double roll_rate = 0;    ///< [rad/s]
-  Double3 pivot{};         ///< in the tank's frame [m]
-};
 
 /// Sensor readings taken since the frame before, at the sensors' own sample times.
 struct Readings {
@@ -35,7 +27,7 @@ struct Frame {
   long index = 0;   ///< frame number: time = index * RunInfo::frame_interval, but for a last frame cut short
   long step = 0;    ///< solver steps taken so far
   double time = 0;  ///< [s]
-  TankPose pose;
+  RigidState pose;  ///< of the tank
   std::vector<Float3> position;       ///< in the tank's frame [m]
   std::vector<Float3> velocity;       ///< relative to the tank [m/s]
   std::vector<float> pressure;        ///< gauge [Pa]

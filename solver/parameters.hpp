@@ -1,8 +1,10 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
 #include "solver/choice.hpp"
+#include "solver/degree_of_freedom.hpp"
 
 namespace seiche {
 
@@ -30,30 +32,33 @@ struct Parameters {
 
   /// One term of a motion: amplitude sin(2 pi frequency t + phase).
   struct Harmonic {
-    std::string of = "surge";  ///< surge (x) | heave (y) | roll (about the pivot, from x towards y)
-    double amplitude = 0;      ///< [m], roll: [degrees]
-    double frequency = 0;      ///< [Hz]
-    double phase = 0;          ///< [degrees]
+    DegreeOfFreedom of = DegreeOfFreedom::surge;
+    double amplitude = 0;  ///< [m]; of a rotation [degrees]
+    double frequency = 0;  ///< [Hz]
+    double phase = 0;      ///< [degrees]
   };
 
   /// A motion as samples of equal count; an empty one stays 0.
   struct TimeSeries {
-    std::vector<double> time;          ///< [s], ascending
-    std::vector<double> surge, heave;  ///< [m]
-    std::vector<double> roll;          ///< [degrees]
+    std::vector<double> time;                                              ///< [s], ascending
+    std::array<std::vector<double>, number_of_degrees_of_freedom> values;  ///< [m]; of a rotation [degrees]
+
+    std::vector<double>& operator[](DegreeOfFreedom f) { return values[static_cast<std::size_t>(f)]; }
+    const std::vector<double>& operator[](DegreeOfFreedom f) const { return values[static_cast<std::size_t>(f)]; }
   };
 
   struct Motion {
-    std::string type = "none";  ///< none | surge | heave | roll: one harmonic | harmonics: their sum | file: the series
-    double amplitude = 0;       ///< of the one harmonic [m], roll: [degrees]
-    double frequency = 0;       ///< of the one harmonic [Hz]
-    double phase = 0;           ///< of the one harmonic [degrees]
+    MotionType type = MotionType::none;
+    Harmonic harmonic{};  ///< what moves it if the type is `harmonic`
     std::vector<Harmonic> harmonics{};
     double ramp = 0;     ///< the motion grows from nothing over this time [s]
     std::string file{};  ///< CSV of the series; the program reads it into `series`
     TimeSeries series{};
-    double pivot_x = 0, pivot_y = 0;  ///< point that roll turns about, in the tank's frame [m]
+    double pivot_x = 0, pivot_y = 0;  ///< point that the tank turns about, in the tank's frame [m]
     Start start = Start::impulsive;
+
+    /// What scenes call its type: that of one harmonic by what it moves.
+    std::string_view type_name() const { return type == MotionType::harmonic ? name(harmonic.of) : name(type); }
   } motion;
 
   /// A pressure sensor on a wall.

@@ -8,13 +8,14 @@ namespace seiche::apps {
 namespace {
 
 std::string motion_text(const Parameters::Motion& motion) {
-  if (motion.type == "none") return "tank at rest";
+  if (motion.type == MotionType::none) return "tank at rest";
   const std::string start = fmt::format("{} start", name(motion.start));
-  if (motion.type == "harmonics") return fmt::format("moved by {} harmonics, {}", motion.harmonics.size(), start);
-  if (motion.type == "file")
+  if (motion.type == MotionType::harmonics)
+    return fmt::format("moved by {} harmonics, {}", motion.harmonics.size(), start);
+  if (motion.type == MotionType::file)
     return fmt::format("moved by {} samples of {}, {}", motion.series.time.size(), motion.file, start);
-  return fmt::format("{} of {:g} {} at {:g} Hz, {}", motion.type, motion.amplitude,
-                     motion.type == "roll" ? "degrees" : "m", motion.frequency, start);
+  return fmt::format("{} of {:g} {} at {:g} Hz, {}", motion.type_name(), motion.harmonic.amplitude,
+                     row(motion.harmonic.of).rotation ? "degrees" : "m", motion.harmonic.frequency, start);
 }
 
 }  // namespace

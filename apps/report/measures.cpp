@@ -116,7 +116,7 @@ std::vector<Crest> crests_near(const render::Series& elevation, const std::vecto
 }
 
 double crest_reach(const Scene& scene) {
-  const double frequency = scene.parameters.motion.frequency;
+  const double frequency = scene.parameters.motion.harmonic.frequency;
   return frequency > 0 ? 0.25 / frequency : 0.25;
 }
 

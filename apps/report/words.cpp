@@ -46,20 +46,19 @@ bool same(const Report& report, F value) {
 std::string motion_text(const Report& report) {
   const auto all = parameters_of(report);
   const Parameters::Motion& motion = all.front()->motion;
-  const std::string& type = motion.type;
-  const bool alike = same(report, [](const Parameters& p) { return p.motion.type; }) &&
+  const bool alike = same(report, [](const Parameters& p) { return p.motion.type_name(); }) &&
                      same(report, [](const Parameters& p) { return p.motion.file; }) &&
                      same(report, [](const Parameters& p) { return p.motion.harmonics.size(); });
   if (!alike) return "whose motion varies";
-  if (type == "none") return "at rest";
-  if (type == "file") return fmt::format("that moves as {} says", motion.file);
-  if (type == "harmonics") return fmt::format("that moves in {} harmonics", motion.harmonics.size());
-  return fmt::format(
-      "that {}s by {} at {}", type,
-      range_text(
-          report, [](const Parameters& p) { return p.motion.amplitude; }, type == "roll" ? degrees_text : length_text),
-      range_text(
-          report, [](const Parameters& p) { return p.motion.frequency; }, hertz_text));
+  if (motion.type == MotionType::none) return "at rest";
+  if (motion.type == MotionType::file) return fmt::format("that moves as {} says", motion.file);
+  if (motion.type == MotionType::harmonics) return fmt::format("that moves in {} harmonics", motion.harmonics.size());
+  return fmt::format("that {}s by {} at {}", motion.type_name(),
+                     range_text(
+                         report, [](const Parameters& p) { return p.motion.harmonic.amplitude; },
+                         row(motion.harmonic.of).rotation ? degrees_text : length_text),
+                     range_text(
+                         report, [](const Parameters& p) { return p.motion.harmonic.frequency; }, hertz_text));
 }
 
 // The time and the step are told elsewhere.

@@ -39,13 +39,16 @@ Json parameters(const Scene& scene) {
   return result;
 }
 
+// As in "surge_m".
+std::string series_key(const DegreeOfFreedomRow& row) { return fmt::format("{}_{}", row.name, row.unit()); }
+
 // A gap is null.
 Json samples(const Scene& scene) {
-  const Parameters::TimeSeries& motion = scene.parameters.motion.series;
-  Json result{
-      {"motion",
-       {{"time_s", motion.time}, {"surge_m", motion.surge}, {"heave_m", motion.heave}, {"roll_deg", motion.roll}}},
-      {"references", Json::array()}};
+  const Parameters::TimeSeries& series = scene.parameters.motion.series;
+  Json motion{{"time_s", series.time}};
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom)
+    if (row.in_plane()) motion[series_key(row)] = series[row.value];
+  Json result{{"motion", motion}, {"references", Json::array()}};
   for (const render::Reference& reference : scene.look.references)
     result["references"].push_back({{"time_s", reference.series.time}, {"value", reference.series.value}});
   return result;
@@ -124,8 +127,7 @@ void read_parameters(const nlohmann::json& json, Scene& scene) {
     list.reset(scene, tables.size());
     for (std::size_t row = 0; row < tables.size(); ++row)
       for (const Member& member : list.members)
-        refuse_if(put(value_from(tables[row].at(std::string(member.key))),
-                      {target(member, scene, row), member.rule, title(list, member), expected(member)}));
+        refuse_if(assign(list, member, scene, row, value_from(tables[row].at(std::string(member.key)))));
   }
 }
 
@@ -226,8 +228,10 @@ void read_run_json(const nlohmann::json& json, const std::filesystem::path& fold
 
 void read_samples(const nlohmann::json& json, Scene& scene) {
   const auto& motion = json.at("motion");
-  scene.parameters.motion.series = {numbers(motion.at("time_s")), numbers(motion.at("surge_m")),
-                                    numbers(motion.at("heave_m")), numbers(motion.at("roll_deg"))};
+  Parameters::TimeSeries& samples = scene.parameters.motion.series;
+  samples.time = numbers(motion.at("time_s"));
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom)
+    if (row.in_plane()) samples[row.value] = numbers(motion.at(series_key(row)));
   std::size_t row = 0;
   for (render::Reference& reference : scene.look.references) {
     const auto& series = json.at("references").at(row++);

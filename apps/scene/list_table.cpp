@@ -5,6 +5,22 @@ namespace {
 
 constexpr double huge = 1000;  // Above any tank [m].
 
+std::string get_moved(const Scene& s, std::size_t row) {
+  return std::string(name(s.parameters.motion.harmonics[row].of));
+}
+
+void set_moved(Scene& s, std::size_t row, std::string_view text) {
+  for (const DegreeOfFreedomRow& known : degrees_of_freedom)
+    if (known.name == text) s.parameters.motion.harmonics[row].of = known.value;
+}
+
+Choices movable() {
+  Choices names;
+  for (const DegreeOfFreedomRow& known : degrees_of_freedom)
+    if (known.in_plane()) names.push_back(known.name);
+  return names;
+}
+
 }  // namespace
 
 // clang-format off: one key a line reads as the table that it is
@@ -17,7 +33,7 @@ const std::vector<List>& lists() {
        "a term amplitude sin(2 pi frequency t + phase) of motion.type = \"harmonics\"",
        ROWS(parameters.motion.harmonics),
        {
-           {"of", "", AT(parameters.motion.harmonics, of), Choices{"surge", "heave", "roll"},
+           {"of", "", ChosenInRow{get_moved, set_moved}, movable(),
             "along x, along y, or about the pivot from x towards y"},
            {"amplitude", "m; roll: degrees", AT(parameters.motion.harmonics, amplitude), Range{-100, 100}, ""},
            {"frequency", "Hz", AT(parameters.motion.harmonics, frequency), Range{0, 100}, ""},

@@ -39,6 +39,34 @@ Chosen chosen() {
           [](Scene& s, std::string_view text) { member(s) = value_named<E>(text); }, meanings};
 }
 
+// The type of a motion: one harmonic is known by the degree of freedom that it moves.
+Choices motion_types() {
+  Choices all{name(MotionType::none)};
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom)
+    if (row.in_plane()) all.push_back(row.name);
+  all.insert(all.end(), {name(MotionType::harmonics), name(MotionType::file)});
+  return all;
+}
+
+void set_motion_type(Scene& s, std::string_view text) {
+  Parameters::Motion& motion = s.parameters.motion;
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom)
+    if (row.name == text) motion.type = MotionType::harmonic, motion.harmonic.of = row.value;
+  for (const Choice<MotionType>& row : ChoiceTable<MotionType>::rows)
+    if (row.name == text) motion.type = row.value;
+}
+
+Chosen motion_type() {
+  std::vector<std::string_view> meanings;
+  for (const std::string_view type : motion_types()) {
+    for (const DegreeOfFreedomRow& row : degrees_of_freedom)
+      if (row.name == type) meanings.push_back(row.help);
+    for (const Choice<MotionType>& row : ChoiceTable<MotionType>::rows)
+      if (row.name == type) meanings.push_back(row.help);
+  }
+  return {[](const Scene& s) { return std::string(s.parameters.motion.type_name()); }, set_motion_type, meanings};
+}
+
 std::string get_size(const Scene& s) { return fmt::format("{}x{}", s.look.width, s.look.height); }
 
 void set_size(Scene& s, const std::string& text) {
@@ -96,12 +124,13 @@ const std::vector<Option>& options() {
       {"tank", "width", "m", AT(parameters.tank.width), Range{0, huge}, "inner, along z; 0: the run is 2-D"},
       {"tank", "closed", "", AT(parameters.tank.closed), {}, "with a roof"},
 
-      {"motion", "type", "", AT(parameters.motion.type), Choices{"none", "surge", "heave", "roll", "harmonics", "file"},
-       "surge, heave, roll: amplitude sin(2 pi frequency t + phase); harmonics: [[motion.harmonic]]; file: a CSV"},
-      {"motion", "amplitude", "m; roll: degrees", AT(parameters.motion.amplitude), Range{0, 100},
+      {"motion", "type", "", motion_type(), motion_types(),
+       "one degree of freedom: amplitude sin(2 pi frequency t + phase)"},
+      {"motion", "amplitude", "m; roll: degrees", AT(parameters.motion.harmonic.amplitude), Range{0, 100},
        "of the tank's displacement"},
-      {"motion", "frequency", "Hz", AT(parameters.motion.frequency), Range{0, 100}, "of the tank's displacement"},
-      {"motion", "phase", "degrees", AT(parameters.motion.phase), Range{-360, 360},
+      {"motion", "frequency", "Hz", AT(parameters.motion.harmonic.frequency), Range{0, 100},
+       "of the tank's displacement"},
+      {"motion", "phase", "degrees", AT(parameters.motion.harmonic.phase), Range{-360, 360},
        "of the tank's displacement at t = 0"},
       {"motion", "ramp", "s", AT(parameters.motion.ramp), Range{0, 1e5},
        "the motion grows from nothing over this time"},

@@ -102,7 +102,7 @@ Scene parse_scene(const std::string& toml, const std::string& file, const std::v
   scene.file = file;
   scene.name = fs::path(file).stem();
   Parameters::Motion& motion = scene.parameters.motion;
-  if (motion.type == "file" && !motion.file.empty())
+  if (motion.type == MotionType::file && !motion.file.empty())
     motion.series = read_motion_file((fs::path(file).parent_path() / motion.file).string());
   try {
     check_parameters(scene.parameters);

@@ -15,10 +15,8 @@ bool speaks_for_itself(const Option& option) { return option.key == "kernel" || 
 
 // Of the key's value in this scene; empty: none.
 std::string_view unit_of(const Option& option, const Scene& scene) {
-  const auto either = option.unit.find("; roll: ");  // as in "m; roll: degrees"
-  if (either == std::string_view::npos) return option.unit;
-  return scene.parameters.motion.type == "roll" ? option.unit.substr(option.unit.rfind(' ') + 1)
-                                                : option.unit.substr(0, either);
+  if (&option != find_option("motion", "amplitude")) return option.unit;
+  return row(scene.parameters.motion.harmonic.of).rotation ? "degrees" : "m";
 }
 
 bool is_small_length(const Option& option, std::string_view unit) {

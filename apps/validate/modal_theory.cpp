@@ -15,11 +15,12 @@ double natural_frequency(const Parameters& p, int n) {
 
 Series roll_elevation(const Parameters& p, double step, double end) {
   const auto& m = p.motion;
-  if (m.type != "roll" || m.start != Start::impulsive || m.phase != 0 || m.ramp != 0)
+  if (m.type != MotionType::harmonic || m.harmonic.of != DegreeOfFreedom::roll || m.start != Start::impulsive ||
+      m.harmonic.phase != 0 || m.ramp != 0)
     throw std::invalid_argument("the theory of roll wants motion.type = roll, an impulsive start, no phase, no ramp");
   constexpr int last_mode = 61;  // what is left out is below 0.1 mm for a roll of 1 degree
   const double length = p.tank.length, depth = p.fluid.depth, g = p.gravity;
-  const double roll = m.amplitude * pi / 180, omega = 2 * pi * m.frequency;
+  const double roll = m.harmonic.amplitude * pi / 180, omega = 2 * pi * m.harmonic.frequency;
   Series left;
   for (long i = 0; i * step <= end * (1 + 1e-9); ++i) {
     const double t = i * step;

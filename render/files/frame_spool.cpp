@@ -30,8 +30,9 @@ void each_field(AnyFrame& frame, Act act) {
   act(readings.time), act(readings.values);
 }
 
+// Eigen's vectors of fixed size are their numbers and nothing else, though not to the compiler.
 template <class Field>
-constexpr bool is_plain = std::is_trivially_copyable_v<Field>;
+constexpr bool is_plain = std::is_trivially_copyable_v<Field> || std::is_same_v<Field, RigidState>;
 
 }  // namespace
 

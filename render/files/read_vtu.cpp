@@ -88,9 +88,22 @@ class Arrays {
 
 double number(const Arrays& fields, const char* name) { return fields.get<vtkDoubleArray>(name, 1, 1)->GetValue(0); }
 
-Double3 triple(const Arrays& fields, const char* name) {
-  const auto* array = fields.get<vtkDoubleArray>(name, 3, 1);
-  return {array->GetValue(0), array->GetValue(1), array->GetValue(2)};
+template <int N>
+Eigen::Vector<double, N> numbers(const Arrays& fields, const char* name) {
+  return Eigen::Map<const Eigen::Vector<double, N>>(fields.get<vtkDoubleArray>(name, N, 1)->GetPointer(0));
+}
+
+RigidState pose_of(const Arrays& fields) {
+  RigidState pose;
+  pose.displacement = numbers<3>(fields, "tank_displacement");
+  pose.velocity = numbers<3>(fields, "tank_velocity");
+  pose.acceleration = numbers<3>(fields, "tank_acceleration");
+  const Eigen::Vector4d q = numbers<4>(fields, "tank_orientation");
+  pose.orientation = Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
+  pose.omega = numbers<3>(fields, "tank_angular_velocity");
+  pose.alpha = numbers<3>(fields, "tank_angular_acceleration");
+  pose.pivot = numbers<3>(fields, "tank_pivot");
+  return pose;
 }
 
 long step_of(const Arrays& fields) {
@@ -112,8 +125,7 @@ Frame read_vtu(const std::filesystem::path& file, long index) {
   frame.index = index;
   frame.step = step_of(fields);
   frame.time = number(fields, "TimeValue");
-  frame.pose = {triple(fields, "tank_displacement"), triple(fields, "tank_velocity"), number(fields, "tank_roll"),
-                number(fields, "tank_roll_rate"), triple(fields, "tank_pivot")};
+  frame.pose = pose_of(fields);
   const auto n = static_cast<std::size_t>(grid->GetNumberOfPoints());
   if (n > 0) {
     auto* positions = vtkFloatArray::SafeDownCast(grid->GetPoints()->GetData());

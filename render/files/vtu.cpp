@@ -86,8 +86,11 @@ void write_vtu(const std::filesystem::path& file, const Frame& frame, const Note
   add_field(fields, "TimeValue", &frame.time, 1);
   add_field(fields, "tank_displacement", frame.pose.displacement.data(), 3);
   add_field(fields, "tank_velocity", frame.pose.velocity.data(), 3);
-  add_field(fields, "tank_roll", &frame.pose.roll, 1);
-  add_field(fields, "tank_roll_rate", &frame.pose.roll_rate, 1);
+  add_field(fields, "tank_acceleration", frame.pose.acceleration.data(), 3);
+  const Eigen::Quaterniond& q = frame.pose.orientation;
+  add_field(fields, "tank_orientation", Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()).data(), 4);
+  add_field(fields, "tank_angular_velocity", frame.pose.omega.data(), 3);
+  add_field(fields, "tank_angular_acceleration", frame.pose.alpha.data(), 3);
   add_field(fields, "tank_pivot", frame.pose.pivot.data(), 3);
   for (const auto& [keyword, text] : notes) {
     std::string name = keyword;

@@ -72,11 +72,11 @@ struct Arrows::Shapes {
     cells->InsertNextCell(static_cast<int>(corners.size()));
     for (const auto& [x, y] : corners) cells->InsertCellPoint(points->InsertNextPoint(x, y, 0));
   }
-  void finish(const TankPose& pose, double height) {
+  void finish(const RigidState& pose, double height) {
     points->Modified();
     cells->Modified();
     actor->SetVisibility(cells->GetNumberOfCells() > 0);
-    stand(actor, pose, height);
+    set_pose(actor, pose, height);
   }
 };
 
@@ -90,7 +90,7 @@ Arrows::Arrows(vtkRenderer* renderer, const RunInfo& run, const ArrowScale& leng
 
 Arrows::~Arrows() = default;
 
-void Arrows::show(const Frame& frame, const TankPose& pose) {
+void Arrows::show(const Frame& frame, const RigidState& pose) {
   halos_->clear();
   inks_->clear();
   for (const std::size_t i : arrow_bearers(frame, apart_)) {

@@ -22,7 +22,7 @@ class Arrows {
   Arrows(vtkRenderer* renderer, const RunInfo& run, const ArrowScale& lengths, double scale, double font);
   ~Arrows();
 
-  void show(const Frame& frame, const TankPose& pose);
+  void show(const Frame& frame, const RigidState& pose);
 
   static constexpr Rgb ink{24, 24, 28}, halo{255, 255, 255};
 

@@ -167,18 +167,18 @@ Rgb Particles::wall(Kind kind) const {
   return kind == Kind::wall ? wall_colour : dummy_colour;
 }
 
-void Particles::show(const Frame& frame, Range range, const TankPose& pose, const SmoothField* area) {
+void Particles::show(const Frame& frame, Range range, const RigidState& pose, const SmoothField* area) {
   Layer* const layers[] = {fluid_.get(), marked_.get(), surface_.get(), wall_.get(), dummy_.get()};
   for (Layer* layer : layers)
     if (layer) layer->clear();
   const double width = range.high - range.low;
   const auto& classes = classes_of(quantity_);
-  const double c = std::cos(pose.roll), s = std::sin(pose.roll);
+  const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
+  const Eigen::Vector3d origin = pose.pivot + pose.displacement - rotation * pose.pivot;
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Float3& in_tank = frame.position[i];
-    const double x = in_tank[0] - pose.pivot[0], y = in_tank[1] - pose.pivot[1];
-    const Float3 at{static_cast<float>(pose.pivot[0] + pose.displacement[0] + c * x - s * y),
-                    static_cast<float>(pose.pivot[1] + pose.displacement[1] + s * x + c * y), in_tank[2]};
+    const Eigen::Vector3d lab = origin + rotation * Eigen::Vector3d(in_tank[0], in_tank[1], in_tank[2]);
+    const Float3 at{static_cast<float>(lab[0]), static_cast<float>(lab[1]), static_cast<float>(lab[2])};
     switch (frame.kind[i]) {
       case Kind::fluid: {
         if (area && area->fraction_at(in_tank[0], in_tank[1]) > SmoothField::surface) break;

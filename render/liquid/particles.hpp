@@ -22,7 +22,7 @@ class Particles {
 
   /// Takes over a frame's particles, of a tank that stands as `pose` says. Of the fluid only spray is shown where the
   /// liquid is a smooth area: what lies outside of it.
-  void show(const Frame& frame, Range range, const TankPose& pose, const SmoothField* area = nullptr);
+  void show(const Frame& frame, Range range, const RigidState& pose, const SmoothField* area = nullptr);
 
   /// 2-D: what lies between walls, fluid and marks along z; far more than the relief of any of them [m].
   static double layer_height(const RunInfo& run);

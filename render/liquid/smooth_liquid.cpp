@@ -75,7 +75,7 @@ SmoothLiquid::SmoothLiquid(vtkRenderer* renderer, const SmoothField& field, cons
 
 SmoothLiquid::~SmoothLiquid() = default;
 
-void SmoothLiquid::show(const SmoothField& field, Range range, const TankPose& pose) {
+void SmoothLiquid::show(const SmoothField& field, Range range, const RigidState& pose) {
   Parts& p = *parts_;
   const auto &fraction = field.fraction(), &mean = field.mean();
   std::uint8_t* texel = p.texels->GetPointer(0);
@@ -90,7 +90,7 @@ void SmoothLiquid::show(const SmoothField& field, Range range, const TankPose& p
   }
   p.texels->Modified();
   p.grid->Modified();
-  stand(p.actor, pose, 0);
+  set_pose(p.actor, pose, 0);
 }
 
 }  // namespace seiche::render

@@ -15,7 +15,7 @@ class SmoothLiquid {
   SmoothLiquid(vtkRenderer* renderer, const SmoothField& field, const ColourMap& map);
   ~SmoothLiquid();
 
-  void show(const SmoothField& field, Range range, const TankPose& pose);
+  void show(const SmoothField& field, Range range, const RigidState& pose);
 
  private:
   struct Parts;

@@ -55,7 +55,7 @@ SurfaceLine::SurfaceLine(vtkRenderer* renderer, const RunInfo& run, double font)
 
 SurfaceLine::~SurfaceLine() = default;
 
-void SurfaceLine::show(const SmoothField& field, const TankPose& pose) {
+void SurfaceLine::show(const SmoothField& field, const RigidState& pose) {
   Parts& p = *parts_;
   const auto count = static_cast<vtkIdType>(field.fraction().size());
   p.grid->SetDimensions(static_cast<int>(field.columns()), static_cast<int>(field.rows()), 1);
@@ -66,7 +66,7 @@ void SurfaceLine::show(const SmoothField& field, const TankPose& pose) {
   p.grid->Modified();
   p.contour->Update();
   p.actor->SetVisibility(p.contour->GetOutput()->GetNumberOfPoints() > 0);
-  stand(p.actor, pose, p.layer);
+  set_pose(p.actor, pose, p.layer);
 }
 
 }  // namespace seiche::render

@@ -14,7 +14,7 @@ class SurfaceLine {
   SurfaceLine(vtkRenderer* renderer, const RunInfo& run, double font);
   ~SurfaceLine();
 
-  void show(const SmoothField& field, const TankPose& pose);
+  void show(const SmoothField& field, const RigidState& pose);
 
   static constexpr double width = 0.16;  ///< of the line [font heights]
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "solver/frame.hpp"
+#include "solver/rigid_state.hpp"
 
 class vtkProp3D;
 
 namespace seiche::render {
 
-/// Stands what was made in the tank's frame where the tank is, and `height` above the picture's plane [m].
-void stand(vtkProp3D* prop, const TankPose& pose, double height);
+/// Sets the pose of a prop that was made in the tank's frame, `height` above the picture's plane [m].
+void set_pose(vtkProp3D* prop, const RigidState& pose, double height);
 
 }  // namespace seiche::render

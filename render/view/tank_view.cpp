@@ -61,7 +61,7 @@ TankView::TankView(vtkRenderer* renderer, const RunInfo& run, const Look& look, 
 TankView::~TankView() = default;
 
 void TankView::show(const Frame& frame, Range range) {
-  const TankPose pose = moves_ ? frame.pose : TankPose{};
+  const RigidState pose = moves_ ? frame.pose : RigidState{};
   if (field_) field_->take(frame, quantity_);
   if (liquid_) liquid_->show(*field_, range, pose);
   if (surface_) surface_->show(*field_, pose);
@@ -69,7 +69,7 @@ void TankView::show(const Frame& frame, Range range) {
   if (arrows_) arrows_->show(frame, pose);
   // In 2-D over the liquid, under the marks.
   const double height = run_.dimension == 2 ? 0.5 * Particles::layer_height(run_) : 0;
-  for (const auto& part : tank_) stand(part, pose, height);
+  for (const auto& part : tank_) set_pose(part, pose, height);
 }
 
 }  // namespace seiche::render

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/errors.hpp"
+#include "solver/motion/motion.hpp"
 
 namespace seiche::solver {
 namespace {
@@ -14,7 +15,7 @@ template <class... Arguments>
   throw BadParameters(fmt::format(text, std::forward<Arguments>(arguments)...));
 }
 
-void check_column(const char* name, const std::vector<double>& values, std::size_t samples) {
+void check_column(std::string_view name, const std::vector<double>& values, std::size_t samples) {
   if (!values.empty() && values.size() != samples)
     refuse("motion.file has {} samples of {} at {} times", values.size(), name, samples);
   for (double value : values)
@@ -24,9 +25,8 @@ void check_column(const char* name, const std::vector<double>& values, std::size
 void check_series(const Parameters::TimeSeries& series, double end) {
   const std::vector<double>& t = series.time;
   if (t.size() < 4) refuse("motion.file has {} samples; a spline needs 4 at least", t.size());
-  for (const auto& [name, values] :
-       {std::pair{"t", &t}, {"surge", &series.surge}, {"heave", &series.heave}, {"roll", &series.roll}})
-    check_column(name, *values, t.size());
+  check_column("t", t, t.size());
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom) check_column(row.name, series[row.value], t.size());
   for (std::size_t k = 1; k < t.size(); ++k)
     if (!(t[k] > t[k - 1])) refuse("motion.file: t = {:g} s comes after {:g} s; times must ascend", t[k], t[k - 1]);
   // What is left after the rounding of decimals is no gap.
@@ -38,24 +38,30 @@ void check_series(const Parameters::TimeSeries& series, double end) {
         t.front(), t.back(), end);
 }
 
+void check_plane(const Parameters::Motion& m) {
+  const Motion motion(m);
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom)
+    if (motion.moves(row.value) && !row.in_plane())
+      refuse("motion: {} leaves the plane of a 2-D run; a run is 3-D with tank.width above 0", row.name);
+}
+
 }  // namespace
 
 void check_motion(const Parameters& p) {
   const Parameters::Motion& m = p.motion;
-  const bool terms = m.type == "harmonics", file = m.type == "file", rest = m.type == "none";
+  const bool terms = m.type == MotionType::harmonics, file = m.type == MotionType::file;
+  const bool rest = m.type == MotionType::none;
   if (terms && m.harmonics.empty())
     refuse("motion.type = harmonics needs its terms: write [[motion.harmonic]] above the keys of each");
   if (!terms && !rest && !m.harmonics.empty())
     refuse("motion.type = {} ignores [[motion.harmonic]]: take motion.type = harmonics, or leave the terms out",
-           m.type);
-  for (const Parameters::Harmonic& h : m.harmonics)
-    if (h.of != "surge" && h.of != "heave" && h.of != "roll")
-      refuse("motion.harmonic: of = '{}' is none of surge, heave, roll", h.of);
+           m.type_name());
   if (file && m.file.empty() && m.series.time.empty())
     refuse("motion.type = file needs motion.file, the CSV of its samples");
   if (!file && !rest && !m.file.empty())
-    refuse("motion.type = {} ignores motion.file: take motion.type = file, or leave the file out", m.type);
+    refuse("motion.type = {} ignores motion.file: take motion.type = file, or leave the file out", m.type_name());
   if (file) check_series(m.series, p.time.end);
+  if (p.dimension() == 2) check_plane(m);
 }
 
 }  // namespace seiche::solver

@@ -8,23 +8,22 @@
 
 namespace seiche::solver {
 
-/// The tank's motion in the lab. A point r of the tank is at pivot + (surge, heave) + R(roll) (r - pivot), R the
-/// rotation about z from x towards y.
+/// The tank's motion in the lab, in six degrees of freedom. It is turned by roll, then by pitch and yaw about the axes
+/// that stay in the lab: R = R_y(yaw) R_x(pitch) R_z(roll), and displaced by (surge, heave, sway).
 class Motion {
  public:
   explicit Motion(const Parameters::Motion& m);
 
-  Jet surge(double t) const { return surge_.at(t); }  ///< along x [m, m/s, m/s^2]
-  Jet heave(double t) const { return heave_.at(t); }  ///< along y, the same
-  Jet roll(double t) const { return roll_.at(t); }    ///< [rad, rad/s, rad/s^2]
+  /// One degree of freedom at t [m; rad of a rotation] with its rate and acceleration.
+  Jet at(DegreeOfFreedom f, double t) const { return course(f).at(t); }
+  bool moves(DegreeOfFreedom f) const { return course(f).moves(); }
+  bool rotates() const { return rotates_; }
 
-  bool rolls() const { return roll_.moves(); }
-  double pivot_x() const { return pivot_x_; }  ///< [m]
-  double pivot_y() const { return pivot_y_; }
+  RigidState state(double t) const;
 
   /// Half the vorticity in the lab of liquid that has kept what it had at t = 0: none if it was at rest, that of the
-  /// tank if it moved with it [rad/s].
-  double spin_of_liquid() const { return spin_; }
+  /// tank if it moved with it; in the lab's axes [rad/s].
+  const Eigen::Vector3d& spin_of_liquid() const { return spin_; }
 
   /// Whether the tank's velocity jumps at t = 0, the liquid being at rest in the lab.
   bool jumps() const;
@@ -32,22 +31,22 @@ class Motion {
   /// No point of the tank within `reach` [m] of the pivot is ever faster [m/s].
   double fastest(double reach = 0) const;
 
-  /// No point of the box [low, high] is ever farther from where it is at (surge, heave, roll) = 0, on either axis [m].
+  /// No point of the box [low, high] is ever farther from where it is without motion, on each axis [m].
   Double3 extent(const Double3& low, const Double3& high) const;
 
-  TankPose pose(double t) const;
-
-  /// Appends the value of each of motion_columns at t: [m], [m], [degrees].
+  /// Appends the value of each of motion_columns at t: [m], of rotations [degrees].
   void append(double t, std::vector<double>& values) const;
 
  private:
-  Course surge_, heave_, roll_;
-  double pivot_x_, pivot_y_;
-  double spin_;
-  bool impulsive_;
+  const Course& course(DegreeOfFreedom f) const { return courses_[static_cast<std::size_t>(f)]; }
+
+  std::vector<Course> courses_;  ///< of each degree of freedom
+  Eigen::Vector3d pivot_;
+  bool impulsive_, rotates_ = false;
+  Eigen::Vector3d spin_ = Eigen::Vector3d::Zero();
 };
 
-/// Names with units of what the motion moves, of "surge [m]", "heave [m]" and "roll [deg]".
+/// Names with units of what the motion moves, as in "surge [m]" and "roll [deg]".
 std::vector<std::string> motion_columns(const Parameters::Motion& m);
 
 }  // namespace seiche::solver

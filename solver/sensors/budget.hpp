@@ -15,7 +15,7 @@ struct Budget {
 };
 
 template <int D>
-Budget<D> budget(const State<D>& s, const Parameters& p, const TankPose& pose) {
+Budget<D> budget(const State<D>& s, const Parameters& p, const RigidState& pose) {
   Budget<D> sum;
   long count = 0;
   double squares = 0;
@@ -28,10 +28,10 @@ Budget<D> budget(const State<D>& s, const Parameters& p, const TankPose& pose) {
   if (count == 0) return sum;
   const double mass = p.fluid.density * std::pow(p.particles.spacing, D);
   sum.kinetic = 0.5 * mass * squares;
-  // Y = y + heave + sin(roll) (x - pivot_x) + (cos(roll) - 1) (y - pivot_y)
+  // Y = y + displacement + (R - 1)(r - pivot), its part along y
   const auto n = static_cast<double>(count);
-  const double risen = n * pose.displacement[1] + std::sin(pose.roll) * (sum.centre[0] - n * pose.pivot[0]) +
-                       (std::cos(pose.roll) - 1) * (sum.centre[1] - n * pose.pivot[1]);
+  const Eigen::Vector3d up = pose.orientation.conjugate() * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitY();
+  const double risen = n * pose.displacement[1] + up.head<D>().dot(sum.centre - n * pose.pivot.head<D>());
   sum.potential = mass * p.gravity * (sum.centre[1] - 0.5 * p.fluid.depth * n + risen);
   sum.centre /= static_cast<double>(count);
   return sum;

@@ -68,7 +68,7 @@ void Sensors<D>::evaluate(const State<D>& s, Scalars& values) {
     values.push_back(load.moment);
   }
   if (!p_.sensors.energy && !p_.sensors.volume) return;
-  const Budget<D> all = budget(s, p_, motion_.pose(s.time));
+  const Budget<D> all = budget(s, p_, motion_.state(s.time));
   if (p_.sensors.energy) values.insert(values.end(), {all.kinetic, all.potential});
   if (p_.sensors.volume) {
     values.push_back(surface_.volume());

@@ -12,7 +12,7 @@ std::shared_ptr<Frame> snapshot(const State<D>& s, double n0, const Motion& moti
   auto frame = std::make_shared<Frame>();
   frame->step = s.step;
   frame->time = s.time;
-  frame->pose = motion.pose(s.time);
+  frame->pose = motion.state(s.time);
   const std::size_t n = s.size();
   std::vector<int> order(n);
   for (std::size_t i = 0; i < n; ++i) order[i] = static_cast<int>(i);

@@ -27,7 +27,7 @@ double resident() {
 Parameters sloshing_tank(int particles, int threads) {
   Parameters p;  // 0.6 m x 0.2 m of water
   p.particles.spacing = p.fluid.depth / std::round(std::sqrt(particles / 3.0));
-  p.motion = {.type = "surge", .amplitude = 0.05, .frequency = 1};
+  p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.05, 1}};
   p.threads = threads;
   return p;
 }

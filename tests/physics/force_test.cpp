@@ -19,13 +19,13 @@ TEST(WallForce, BalancesTheMomentumOfTheWater) {
   const Parameters p = pan2008(Preset::stabilised, 0.01);
   const auto simulation = make_simulation(p, 0.001);
   const std::size_t columns = sensor_columns(p).size(), fx = column(p, "force_x [N/m]"), fy = fx + 1;
-  const double mass = p.fluid.density * p.tank.length * p.fluid.depth, w = 2 * M_PI * p.motion.frequency;
+  const double mass = p.fluid.density * p.tank.length * p.fluid.depth, w = 2 * M_PI * p.motion.harmonic.frequency;
   const auto momentum = [&](const Frame& frame) {
     double sum = 0;
     long n = 0;
     for (std::size_t i = 0; i < frame.size(); ++i)
       if (frame.kind[i] == Kind::fluid) sum += frame.velocity[i][0], ++n;
-    return mass * (sum / n + p.motion.amplitude * w * std::cos(w * frame.time));
+    return mass * (sum / n + p.motion.harmonic.amplitude * w * std::cos(w * frame.time));
   };
   // From 0.05 s on, when the first steps after the impulsive start are over.
   double impulse = 0, last = 0, start = 0, error = 0, greatest = 0, weight = 0;

@@ -25,8 +25,8 @@ class RollTheory {
       : length_(p.tank.length),
         depth_(p.fluid.depth),
         gravity_(p.gravity),
-        amplitude_(p.motion.amplitude * M_PI / 180),
-        w_(2 * M_PI * p.motion.frequency),
+        amplitude_(p.motion.harmonic.amplitude * M_PI / 180),
+        w_(2 * M_PI * p.motion.harmonic.frequency),
         xp_(p.motion.pivot_x),
         yp_(p.motion.pivot_y) {}
 

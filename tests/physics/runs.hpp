@@ -13,7 +13,7 @@ namespace seiche::physics {
 inline Parameters pan2008(Preset preset, double spacing) {
   Parameters p;
   apply_preset(p, preset);
-  p.motion = {.type = "surge", .amplitude = 0.005, .frequency = 1.0};
+  p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.005, 1.0}};
   p.particles.spacing = spacing;
   return p;
 }

@@ -9,11 +9,11 @@ namespace {
 /// eta = sum_n beta_n cos(k_n x), beta_n'' + w_n^2 beta_n = (w_n^2/g) c_n a(t), c_n = 4 L/(n pi)^2, a the tank's
 /// acceleration, n odd; then x_cm = -sum_n 2 beta_n/(k_n^2 h L). Good to 1.5 s in this tank.
 double centre_by_theory(const Parameters& p, double t) {
-  const double length = p.tank.length, depth = p.fluid.depth, w = 2 * M_PI * p.motion.frequency;
+  const double length = p.tank.length, depth = p.fluid.depth, w = 2 * M_PI * p.motion.harmonic.frequency;
   double x = 0;
   for (int n = 1; n <= 41; n += 2) {
     const double k = n * M_PI / length, wn = std::sqrt(p.gravity * k * std::tanh(k * depth));
-    const double c = 4 * length / std::pow(n * M_PI, 2) * wn * wn / p.gravity * p.motion.amplitude;
+    const double c = 4 * length / std::pow(n * M_PI, 2) * wn * wn / p.gravity * p.motion.harmonic.amplitude;
     const double forced = -c * w * w / (wn * wn - w * w);
     const double free = (c * w - forced * w) / wn;
     x -= 2 * (forced * std::sin(w * t) + free * std::sin(wn * t)) / (k * k * depth * length);

@@ -15,7 +15,7 @@ long fluid(const Frame& frame) { return std::count(frame.kind.begin(), frame.kin
 TEST(OpenTank, TakesOutAndCountsWhatLeavesOverTheRim) {
   Parameters p = still_tank(0.3, 0.2, 0.22, 0.02);
   p.tank.closed = false;
-  p.motion = {.type = "surge", .amplitude = 0.3, .frequency = 1.0};
+  p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.3, 1.0}};
   const auto simulation = make_simulation(p, 0);
   const long before = fluid(*simulation->frame(0));
   while (simulation->time() < 0.6) simulation->step(0.6);
@@ -40,7 +40,7 @@ std::array<double, 2> after_jump(double x, double y, double length, double depth
 
 double start_error(double spacing) {
   const Parameters p = pan2008(Preset::stabilised, spacing);
-  const double jump = p.motion.amplitude * 2 * M_PI * p.motion.frequency;
+  const double jump = p.motion.harmonic.amplitude * 2 * M_PI * p.motion.harmonic.frequency;
   const auto frame = make_simulation(p, 0)->frame(0);
   double sum = 0;
   for (std::size_t i = 0; i < frame->size(); ++i) {

@@ -18,7 +18,7 @@ Findings roll(Bench& bench) {
   const Series theory = roll_elevation(run.parameters, 0.01, run.end);
 
   const double spacing = 1000 * run.parameters.particles.spacing;
-  Chart chart{fmt::format("Roll of {:g} degrees, {:g} mm", run.parameters.motion.amplitude, spacing),
+  Chart chart{fmt::format("Roll of {:g} degrees, {:g} mm", run.parameters.motion.harmonic.amplitude, spacing),
               "t [s]",
               "(left - right)/2 [mm]",
               {{"run", half.t, half.y}, {"linear theory", theory.t, theory.y, render::Mark::dashes}}};

@@ -55,7 +55,7 @@ TEST(AmgSolver, AllocatesNothingOnceItHasSolvedASystemOfTheSize) {
 }
 
 void expect_steps_without_allocations(Parameters p) {
-  p.motion = {.type = "surge", .amplitude = 0.03, .frequency = 1};
+  p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.03, 1}};
   const auto simulation = make_simulation(p, 0);
   const auto take = [&](int steps) {
     for (int k = 0; k < steps; ++k) simulation->step(100);

@@ -29,7 +29,7 @@ TEST(Simulation, EndsWhereTheSolverDoesNotConverge) {
 TEST(Simulation, OfAnOpenTankTakesOutAndCountsWhatSpills) {
   Parameters p = surging(2);
   p.tank = {0.1, 0.05, 0, false};
-  p.motion = {.type = "surge", .amplitude = 0.05, .frequency = 3};
+  p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.05, 3}};
   const auto simulation = make_simulation(p, 0);
   const FramePtr before = simulation->frame(0);
   const Statistics& totals = simulation->statistics();
@@ -73,9 +73,9 @@ TEST(MakeSimulation, TakesEveryKernelAndSolver) {
 
 TEST(MotionExtent, IsTheAmplitudeOfASurge) {
   Parameters p = surging(2);
-  p.motion.amplitude = -0.02;
+  p.motion.harmonic.amplitude = -0.02;
   EXPECT_EQ(motion_extent(p), (Double3{0.02, 0, 0}));
-  p.motion.type = "none";
+  p.motion.type = MotionType::none;
   EXPECT_EQ(motion_extent(p), (Double3{0, 0, 0}));
 }
 

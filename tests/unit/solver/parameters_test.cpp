@@ -68,25 +68,26 @@ TEST(CheckParameters, WantsAShiftOnlyWhereItIsApplied) {
 }
 
 TEST(CheckParameters, WantsWhatTheMotionNeedsAndNothingThatItIgnores) {
-  expect_refused([](Parameters& p) { p.motion.type = "yaw"; }, {"motion.type = 'yaw'", "harmonics, file"});
-  expect_refused([](Parameters& p) { p.motion.type = "harmonics"; },
+  expect_refused([](Parameters& p) { p.motion.type = MotionType::harmonics; },
                  {"motion.type = harmonics", "[[motion.harmonic]]"});
   expect_refused(
       [](Parameters& p) {
-        p.motion.type = "surge";
+        p.motion.type = MotionType::harmonic;
+        p.motion.harmonic.of = DegreeOfFreedom::surge;
         p.motion.harmonics.resize(1);
       },
       {"motion.type = surge ignores [[motion.harmonic]]"});
   expect_refused(
       [](Parameters& p) {
-        p.motion.type = "harmonics";
-        p.motion.harmonics = {{"sway", 1, 1, 0}};
+        p.motion.type = MotionType::harmonics;
+        p.motion.harmonics = {{DegreeOfFreedom::sway, 1, 1, 0}};
       },
-      {"of = 'sway'", "surge, heave, roll"});
-  expect_refused([](Parameters& p) { p.motion.type = "file"; }, {"motion.type = file needs motion.file"});
+      {"sway", "2-D", "tank.width"});
+  expect_refused([](Parameters& p) { p.motion.type = MotionType::file; }, {"motion.type = file needs motion.file"});
   expect_refused(
       [](Parameters& p) {
-        p.motion.type = "roll";
+        p.motion.type = MotionType::harmonic;
+        p.motion.harmonic.of = DegreeOfFreedom::roll;
         p.motion.file = "a.csv";
       },
       {"motion.type = roll ignores motion.file"});
@@ -99,7 +100,7 @@ TEST(CheckParameters, WantsWhatTheMotionNeedsAndNothingThatItIgnores) {
 TEST(CheckParameters, WantsASeriesThatIsWholeAndAsLongAsTheRun) {
   Parameters p;
   p.time.end = 3;
-  p.motion = {.type = "file", .series = {{0, 1, 2, 3}, {}, {}, {0, 1, 0, 1}}};
+  p.motion = {.type = MotionType::file, .series = {{0, 1, 2, 3}, {{{}, {}, {}, {0, 1, 0, 1}}}}};
   EXPECT_NO_THROW(check_parameters(p));
   const auto refused = [&](Parameters::TimeSeries series, double end) {
     Parameters bad = p;
@@ -163,7 +164,7 @@ TEST(Preset, LeavesTheCaseAlone) {
   Parameters p;
   p.fluid.depth = 0.3;
   p.tank.length = 0.9;
-  p.motion = {.type = "surge", .amplitude = 0.01, .frequency = 2, .start = Start::smooth};
+  p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.01, 2}, .start = Start::smooth};
   p.time.end = 3;
   apply_preset(p, Preset::paper);
   EXPECT_EQ(p.fluid.depth, 0.3);

@@ -56,7 +56,7 @@ TEST_P(SimulationIn, StepsLandExactlyOnUntil) {
 
 TEST_P(SimulationIn, KnowsTheLeastDistanceOfTwoParticles) {
   Parameters p = surging(GetParam());
-  p.motion.amplitude = 0.05;
+  p.motion.harmonic.amplitude = 0.05;
   const auto simulation = make_simulation(p, 0);
   double least = 1;
   while (simulation->time() < 0.05) {
@@ -143,11 +143,12 @@ TEST_P(SimulationIn, TheImpulsiveStartOfThePaperIsTheTanksVelocity) {
 TEST_P(SimulationIn, TheImpulsiveStartOfARollTurnsAboutThePivot) {
   Parameters p = surging(GetParam());
   apply_preset(p, Preset::paper);
-  p.motion = {.type = "roll", .amplitude = 3, .frequency = 2, .pivot_x = 0.03, .pivot_y = -0.02};
+  p.motion = {
+      .type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::roll, 3, 2}, .pivot_x = 0.03, .pivot_y = -0.02};
   const auto simulation = make_simulation(p, 0);
   const FramePtr frame = simulation->frame(0);
   const double rate = 3 * std::numbers::pi / 180 * 2 * std::numbers::pi * 2;
-  EXPECT_NEAR(frame->pose.roll_rate, rate, 1e-12);
+  EXPECT_NEAR(frame->pose.omega[2], rate, 1e-12);
   for (std::size_t k = 0; k < frame->size(); ++k) {
     if (frame->kind[k] != Kind::fluid) continue;
     EXPECT_NEAR(frame->velocity[k][0], rate * (frame->position[k][1] + 0.02), 1e-6);

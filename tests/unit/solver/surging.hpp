@@ -9,7 +9,7 @@ inline Parameters surging(int dimension) {
   p.particles.spacing = 0.01;
   p.tank = {0.1, 0.1, dimension == 3 ? 0.05 : 0, true};
   p.fluid.depth = 0.05;
-  p.motion = {.type = "surge", .amplitude = 0.01, .frequency = 2};
+  p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.01, 2}};
   p.threads = 2;
   return p;
 }

@@ -199,7 +199,7 @@ TEST(CheckKept, RefusesARunOfOtherParameters) {
             runs[1].folder.string() + " holds a finished run with output.frame_rate = 7, not 50" + ways_out);
   other = runs[1];
   other.scene.parameters.motion.series.time = {0, 1};
-  other.scene.parameters.motion.series.surge = {0, 1};
+  other.scene.parameters.motion.series[DegreeOfFreedom::surge] = {0, 1};
   store(other);
   write_samples(other.folder / "samples.json", other.scene);
   EXPECT_EQ(complaint_of(runs[1]), runs[1].folder.string() + " holds a finished run with other parameters" + ways_out);

@@ -72,7 +72,7 @@ TEST(ReportPage, TellsNothingThatAKilledRunHasNotTold) {
 
 TEST(ReportPage, SaysWhatMakesItAgain) {
   ReportRun first = test::report_run("a", 1), second = first;
-  second.run.scene.parameters.motion.amplitude = 0.02;
+  second.run.scene.parameters.motion.harmonic.amplitude = 0.02;
   first.run.info.scene_hash = "8706ad38f22361ef";
   second.run.info.scene_hash = "ac84b25a2e3101ec";
   Report report{"tank", {first, second}, {}, {}};
@@ -109,9 +109,10 @@ TEST(ReportPage, TellsTheTankInWords) {
   Scene scene;
   EXPECT_EQ(sentence(scene),
             "Liquid 0.2\u00a0m deep in a closed tank 0.6\u00a0m long and 0.4\u00a0m high at rest, in 2-D.");
-  scene.parameters.motion.type = "roll";
-  scene.parameters.motion.amplitude = 0.5;
-  scene.parameters.motion.frequency = 0.8;
+  scene.parameters.motion.type = MotionType::harmonic;
+  scene.parameters.motion.harmonic.of = DegreeOfFreedom::roll;
+  scene.parameters.motion.harmonic.amplitude = 0.5;
+  scene.parameters.motion.harmonic.frequency = 0.8;
   scene.parameters.tank.width = 0.05;
   scene.parameters.tank.closed = false;
   scene.parameters.fluid.column = 0.1;
@@ -123,14 +124,14 @@ TEST(ReportPage, TellsTheTankInWords) {
 
 TEST(ReportPage, TellsNothingAsCommonThatVaries) {
   ReportRun still = test::report_run("a", 1), wild = still;
-  still.run.scene.parameters.motion.amplitude = 0;
-  wild.run.scene.parameters.motion.amplitude = 0.02;
+  still.run.scene.parameters.motion.harmonic.amplitude = 0;
+  wild.run.scene.parameters.motion.harmonic.amplitude = 0.02;
   wild.run.scene.parameters.fluid.depth = 0.05;
   EXPECT_EQ(
       report::tank_sentence({"tank", {still, wild}, {}, {}}),
       "Liquid 50\u00a0mm\u00a0to 0.2\u00a0m deep in a closed tank 0.6\u00a0m long and 0.4\u00a0m high that surges "
       "by 0\u00a0to 20\u00a0mm at 1\u00a0Hz, in 2-D.");
-  wild.run.scene.parameters.motion.type = "none";
+  wild.run.scene.parameters.motion.type = MotionType::none;
   EXPECT_EQ(
       report::tank_sentence({"tank", {still, wild}, {}, {}}),
       "Liquid 50\u00a0mm\u00a0to 0.2\u00a0m deep in a closed tank 0.6\u00a0m long and 0.4\u00a0m high whose motion "

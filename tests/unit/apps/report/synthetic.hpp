@@ -22,8 +22,9 @@ inline apps::ReportRun report_run(const std::string& label, double end, const Si
   apps::Scene& scene = one.run.scene;
   scene.name = "tank";
   scene.file = "tank.toml";
-  scene.parameters.motion.type = "surge";
-  scene.parameters.motion.frequency = 1;
+  scene.parameters.motion.type = MotionType::harmonic;
+  scene.parameters.motion.harmonic.of = DegreeOfFreedom::surge;
+  scene.parameters.motion.harmonic.frequency = 1;
   scene.parameters.motion.amplitude = 0.005;
   scene.parameters.time.end = end;
   one.run.info = apps::run_info(scene);

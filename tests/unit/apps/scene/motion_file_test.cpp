@@ -27,9 +27,9 @@ TEST(MotionFile, HasItsColumnsInAnyOrderAndWithAnySpaces) {
                           "0.1,0.2,0.02\r\n0,0.35,0.01\r\n\r\n\n")}) {
     const Parameters::TimeSeries series = parse_motion(text, "m.csv");
     EXPECT_EQ(series.time, (std::vector<double>{0, 0.1, 0.2, 0.35}));
-    EXPECT_EQ(series.surge, (std::vector<double>{0, 0.01, 0.02, 0.01}));
-    EXPECT_EQ(series.roll, (std::vector<double>{0, -2, 0.1, 0}));
-    EXPECT_TRUE(series.heave.empty());
+    EXPECT_EQ(series[DegreeOfFreedom::surge], (std::vector<double>{0, 0.01, 0.02, 0.01}));
+    EXPECT_EQ(series[DegreeOfFreedom::roll], (std::vector<double>{0, -2, 0.1, 0}));
+    EXPECT_TRUE(series[DegreeOfFreedom::heave].empty());
   }
 }
 
@@ -37,9 +37,9 @@ TEST(MotionFile, ConvertsUnits) {
   const auto series =
       parse_motion("t [ms],surge [mm],heave [cm],roll [rad]\n0,5,5,1\n10,5,5,1\n20,5,5,1\n30,5,5,1\n", "");
   EXPECT_DOUBLE_EQ(series.time[3], 0.03);
-  EXPECT_DOUBLE_EQ(series.surge[0], 0.005);
-  EXPECT_DOUBLE_EQ(series.heave[0], 0.05);
-  EXPECT_DOUBLE_EQ(series.roll[0], 57.295779513082323);
+  EXPECT_DOUBLE_EQ(series[DegreeOfFreedom::surge][0], 0.005);
+  EXPECT_DOUBLE_EQ(series[DegreeOfFreedom::heave][0], 0.05);
+  EXPECT_DOUBLE_EQ(series[DegreeOfFreedom::roll][0], 57.295779513082323);
 }
 
 TEST(MotionFile, NamesTheLineOfAMistakeAndWhatWasExpected) {
@@ -76,7 +76,7 @@ struct SceneWithMotion : ::testing::Test {
 
 TEST_F(SceneWithMotion, ReadsItBesideTheScene) {
   const Scene scene = read(good);
-  EXPECT_EQ(scene.parameters.motion.series.surge.size(), 4u);
+  EXPECT_EQ(scene.parameters.motion.series[DegreeOfFreedom::surge].size(), 4u);
   EXPECT_NE(check_text(scene).find("moved by 4 samples of m.csv, impulsive start"), std::string::npos);
 }
 

@@ -11,9 +11,10 @@ namespace {
 
 Parameters rolling(double degrees, double frequency) {
   Parameters p;  // 0.6 m x 0.2 m of water
-  p.motion.type = "roll";
-  p.motion.amplitude = degrees;
-  p.motion.frequency = frequency;
+  p.motion.type = MotionType::harmonic;
+  p.motion.harmonic.of = DegreeOfFreedom::roll;
+  p.motion.harmonic.amplitude = degrees;
+  p.motion.harmonic.frequency = frequency;
   p.motion.pivot_x = 0.3;
   return p;
 }
@@ -52,7 +53,8 @@ TEST(RollTheory, StartsImpulsively) {
 
 TEST(RollTheory, RefusesOtherMotions) {
   Parameters p = rolling(0.5, 0.8);
-  p.motion.type = "surge";
+  p.motion.type = MotionType::harmonic;
+  p.motion.harmonic.of = DegreeOfFreedom::surge;
   EXPECT_THROW(roll_elevation(p, 0.01, 1), std::invalid_argument);
   p = rolling(0.5, 0.8);
   p.motion.start = Start::smooth;

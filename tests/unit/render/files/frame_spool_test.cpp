@@ -20,7 +20,9 @@ Frame sample(long index, std::size_t particles) {
   frame.index = index;
   frame.step = 17 * index;
   frame.time = 0.1 * static_cast<double>(index);
-  frame.pose = {{0.1, 0.2, 0.3}, {1, 2, 3}, 0.25, -0.5, {0.4, 0.5, 0.6}};
+  frame.pose.displacement = {0.1, 0.2, 0.3};
+  frame.pose.orientation = Eigen::AngleAxisd(0.25, Eigen::Vector3d::UnitX());
+  frame.pose.pivot = {0.4, 0.5, 0.6};
   for (std::size_t i = 0; i < particles; ++i) {
     const auto value = static_cast<float>(i) / 3 + static_cast<float>(index);
     frame.position.push_back({value, value + 1, value + 2});

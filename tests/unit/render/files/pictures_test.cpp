@@ -256,7 +256,7 @@ TEST(Pictures, TankRollsInTheLabAboutItsPivot) {
   Look look = small();
   look.show_clock = false;
   auto rolled = std::make_shared<Frame>(*test::lattice(box, 0));
-  rolled->pose.roll = std::numbers::pi;
+  rolled->pose.orientation = Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ());
   rolled->pose.pivot = {box.length / 2, box.height / 2, 0};
   auto raised = std::make_shared<Frame>(*test::lattice(box, 0));
   raised->pose.displacement = {0, box.spacing, 0};

@@ -41,8 +41,10 @@ TEST(ReadVtu, GivesTheFrameThatWasWrittenBitByBit) {
   Frame frame = *test::lattice(box, 0.1, 7);
   frame.time = 0.1 + 0.2;  // which no few digits hold
   frame.pose.velocity = {1.0 / 3, -2e-300, 0};
-  frame.pose.roll = 0.1;
-  frame.pose.roll_rate = -1.0 / 7;
+  frame.pose.acceleration = {0, 1e-300, 2.0 / 3};
+  frame.pose.orientation = Eigen::AngleAxisd(0.1, Eigen::Vector3d(1, 2, 3).normalized());
+  frame.pose.omega = {0.1, -1.0 / 7, 7};
+  frame.pose.alpha = {1.0 / 3, 5, -1};
   frame.pressure[1] = std::numeric_limits<float>::max();
   frame.pressure[2] = std::numeric_limits<float>::denorm_min();
   frame.velocity[3] = {-0.0f, std::numeric_limits<float>::lowest(), 1e-38f};

@@ -96,7 +96,7 @@ TEST(Vtu, VtkReadsBackEveryArray) {
   vtkFieldData* fields = grid->GetFieldData();
   EXPECT_DOUBLE_EQ(fields->GetArray("TimeValue")->GetComponent(0, 0), frame->time);
   EXPECT_DOUBLE_EQ(fields->GetArray("tank_displacement")->GetComponent(0, 0), frame->pose.displacement[0]);
-  EXPECT_EQ(fields->GetArray("tank_roll")->GetComponent(0, 0), frame->pose.roll);
+  EXPECT_EQ(fields->GetArray("tank_orientation")->GetComponent(0, 0), frame->pose.orientation.w());
   EXPECT_EQ(fields->GetArray("tank_pivot")->GetComponent(0, 1), frame->pose.pivot[1]);
   const auto text = [&](const char* name) {
     return vtkStringArray::SafeDownCast(fields->GetAbstractArray(name))->GetValue(0);

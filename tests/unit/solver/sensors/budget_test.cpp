@@ -15,7 +15,7 @@ struct BudgetOf : ::testing::Test {
   SensedTank<D> tank;
   double mass = 1000 * 0.2 * 0.1 * (D == 3 ? 0.12 : 1);
 
-  Budget<D> read(const TankPose& pose = {}) const { return budget(tank.s, tank.p, pose); }
+  Budget<D> read(const RigidState& pose = {}) const { return budget(tank.s, tank.p, pose); }
 };
 TYPED_TEST_SUITE(BudgetOf, test::Dimensions);
 
@@ -39,11 +39,11 @@ TYPED_TEST(BudgetOf, MovingWater) {
 
 // The middle of the water, (0.1, 0.05), about the pivot (0.1, 0.2): rolled by 60 degrees it rises by half its distance.
 TYPED_TEST(BudgetOf, PotentialEnergyIsByTheHeightInTheLab) {
-  TankPose pose;
+  RigidState pose;
   pose.displacement = {0.7, 0.03, 0};
   EXPECT_NEAR(this->read(pose).potential, this->mass * 9.81 * 0.03, 1e-9) << "heaved";
   pose = {};
-  pose.roll = std::acos(0.5);
+  pose.orientation = Eigen::AngleAxisd(std::acos(0.5), Eigen::Vector3d::UnitZ());
   pose.pivot = {0.1, 0.2, 0};
   EXPECT_NEAR(this->read(pose).potential, this->mass * 9.81 * 0.075, 1e-9) << "rolled";
   pose.pivot = {0, 0.2, 0};

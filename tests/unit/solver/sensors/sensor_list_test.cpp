@@ -33,9 +33,10 @@ TEST(SensorColumns, OfAListInItsOrder) {
 
 TEST(SensorColumns, EndWithTheMotion) {
   Parameters p;
-  p.motion.type = "surge";
-  p.motion.amplitude = 0.01;
-  p.motion.frequency = 1;
+  p.motion.type = MotionType::harmonic;
+  p.motion.harmonic.of = DegreeOfFreedom::surge;
+  p.motion.harmonic.amplitude = 0.01;
+  p.motion.harmonic.frequency = 1;
   EXPECT_EQ(sensor_columns(p).back(), "surge [m]");
 }
 

@@ -85,7 +85,7 @@ TEST(RunState, ResumesEveryPressureSolver) {
 TEST(RunState, ResumesARunThatSpills) {
   Parameters p = test::surging(2);
   p.tank = {0.1, 0.05, 0, false};
-  p.motion = {.type = "surge", .amplitude = 0.05, .frequency = 3};
+  p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.05, 3}};
   expect_resumes<2>(p);
 }
 

@@ -24,7 +24,8 @@ TYPED_TEST(Snapshot, HasEveryArrayInTheOrderOfTheIds) {
   for (std::size_t i = 0; i < s.size(); ++i) s.density[i] = 2 * s.position[i][1];
   s.time = 0.125;
   s.step = 9;
-  const Motion motion({.type = "surge", .amplitude = 0.1, .frequency = 1, .start = Start::smooth});
+  const Motion motion(
+      {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.1, 1}, .start = Start::smooth});
   const auto frame = snapshot(s, 2, motion);
 
   EXPECT_EQ(frame->id, (std::vector<std::uint32_t>{0, 2, 3, 4}));
@@ -32,7 +33,7 @@ TYPED_TEST(Snapshot, HasEveryArrayInTheOrderOfTheIds) {
   EXPECT_EQ(frame->free_surface, (std::vector<std::uint8_t>{0, 0, 1, 0}));
   EXPECT_EQ(frame->time, 0.125);
   EXPECT_EQ(frame->step, 9);
-  EXPECT_EQ(frame->pose.displacement[0], motion.surge(0.125).value);
+  EXPECT_EQ(frame->pose.displacement[0], motion.at(DegreeOfFreedom::surge, 0.125).value);
   const State<D> made = test::random_cloud<D>(5, 1, 2);
   for (std::size_t k = 0; k < frame->size(); ++k) {
     const Vec<D>& r = made.position[frame->id[k]];

@@ -19,7 +19,7 @@ struct WatchOf : ::testing::Test {
 
   static Parameters parameters() {
     Parameters p = test::small_tank<D>();
-    p.motion = {.type = "surge", .amplitude = 0.1, .frequency = 1, .start = Start::smooth};
+    p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.1, 1}, .start = Start::smooth};
     return p;
   }
   WatchOf() {
