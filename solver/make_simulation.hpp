@@ -7,6 +7,7 @@
 #include "solver/frame.hpp"
 #include "solver/parameters.hpp"
 #include "solver/simulation.hpp"
+#include "solver/surface_mesh.hpp"
 
 // What a run is made of, before it has begun.
 namespace seiche {
@@ -17,6 +18,9 @@ std::unique_ptr<Simulation> make_simulation(const Parameters& parameters, double
 
 /// Column names with units of `Frame::readings`, as in "p_left_bottom [Pa]".
 std::vector<std::string> sensor_columns(const Parameters& parameters);
+
+/// The wall of the tank, in its frame.
+SurfaceMesh tank_surface(const Parameters& parameters);
 
 /// No point of the tank, wall particles included, is ever displaced by more on each axis [m].
 Double3 motion_extent(const Parameters& parameters);

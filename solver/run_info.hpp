@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solver/frame.hpp"
+#include "solver/surface_mesh.hpp"
 
 namespace seiche {
 
@@ -15,7 +16,7 @@ struct RunInfo {
   std::string kernel;      ///< as in "KF3"
   std::string preset;
   int dimension = 2;
-  Double3 tank{};  ///< inner length, height, width [m]; width 0 in 2-D
+  SurfaceMesh tank{};  ///< inner surface of its wall, in its frame
   bool closed = true;
   double depth = 0;                  ///< of the still liquid [m]
   double density = 0;                ///< [kg/m^3]

@@ -14,6 +14,7 @@
 #include "apps/scene/scene_file.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "apps/scene/variants.hpp"
+#include "solver/make_simulation.hpp"
 
 namespace seiche::apps::compare {
 namespace {
@@ -25,7 +26,8 @@ double particles(const Parameters& p) {
   constexpr double walls = 6;  // layers on both sides
   const double l0 = p.particles.spacing;
   const auto cells = [&](double size) { return size > 0 ? size / l0 + walls : 1; };
-  return cells(p.tank.length) * cells(p.tank.height) * cells(p.tank.width);
+  const auto [length, height, width] = tank_surface(p).size();
+  return cells(length) * cells(height) * cells(width);
 }
 
 void refuse_what_pictures_need(const std::vector<Override>& settings) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/report/curves.hpp"
+#include "solver/make_simulation.hpp"
 
 namespace seiche::apps::report {
 namespace {
@@ -82,13 +83,13 @@ std::string tank_sentence(const Report& report) {
   const auto length = [&](const Number& number) { return range_text(report, number, length_text); };
   const Number column = [](const Parameters&p) { return p.fluid.column; },
                wave = [](const Parameters&p) { return p.fluid.wave_amplitude; },
-               width = [](const Parameters&p) { return p.tank.width; };
+               width = [](const Parameters&p) { return tank_surface(p).size()[2]; };
   const std::string depth = length([](const Parameters& p) { return p.fluid.depth; });
   const std::string liquid = has(column)
                                  ? fmt::format("A column of liquid, {} long and {} high,", length(column), depth)
                                  : fmt::format("Liquid {} deep", depth);
-  std::string size = length([](const Parameters& p) { return p.tank.length; }) + " long";
-  const std::string height = length([](const Parameters& p) { return p.tank.height; }) + " high";
+  std::string size = length([](const Parameters& p) { return tank_surface(p).size()[0]; }) + " long";
+  const std::string height = length([](const Parameters& p) { return tank_surface(p).size()[1]; }) + " high";
   size += has(width) ? fmt::format(", {} and {} wide", height, length(width)) : " and " + height;
   const std::string tank = !same(report, [](const Parameters& p) { return p.tank.closed; }) ? "a"
                            : all.front()->tank.closed                                       ? "a closed"

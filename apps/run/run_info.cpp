@@ -17,7 +17,7 @@ RunInfo run_info(const Scene& scene) {
   info.kernel = p.method.kernel;
   info.preset = name(p.preset);
   info.dimension = p.dimension();
-  info.tank = {p.tank.length, p.tank.height, p.tank.width};
+  info.tank = tank_surface(p);
   info.closed = p.tank.closed;
   info.depth = p.fluid.depth;
   info.density = p.fluid.density;

@@ -33,7 +33,8 @@ double reach_of(const std::string& column, const RunInfo& run) {
   if (name == "surge" && run.excursion[0] != 0) return run.excursion[0];
   if (name == "heave" && run.excursion[1] != 0) return run.excursion[1];
   const double specific = run.density * std::abs(run.gravity);
-  const double volume = run.tank[0] * run.depth * (run.dimension == 3 ? run.tank[2] : 1);
+  const auto [length, height, width] = run.tank.size();
+  const double volume = length * run.depth * (run.dimension == 3 ? width : 1);
   const auto is_in = [&](const char* unit) { return column.find(unit) != std::string::npos; };
   double reach = 1;
   if (is_in("[Pa]")) reach = 0.25 * specific * run.depth;
@@ -41,7 +42,7 @@ double reach_of(const std::string& column, const RunInfo& run) {
   if (is_in("[m^")) reach = 0.01 * volume;
   if (is_in("[J")) reach = 0.01 * specific * volume * run.depth;
   if (is_in("[N")) reach = 0.1 * specific * volume;
-  if (is_in("[N m")) reach = 0.1 * specific * volume * run.tank[0];
+  if (is_in("[N m")) reach = 0.1 * specific * volume * length;
   return reach > 0 ? reach : 1;
 }
 

@@ -158,7 +158,7 @@ void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look
   }
 }
 
-double Particles::layer_height(const RunInfo& run) { return 0.02 * (run.tank[0] + run.tank[1]); }
+double Particles::layer_height(const RunInfo& run) { return 0.02 * (run.tank.size()[0] + run.tank.size()[1]); }
 
 Particles::~Particles() = default;
 

@@ -15,8 +15,8 @@ std::size_t nodes(double size, double step) { return static_cast<std::size_t>(st
 }  // namespace
 
 SmoothField::SmoothField(const RunInfo& run, double step)
-    : length_(run.tank[0]),
-      height_(run.tank[1] * (run.closed ? 1 : above_rim)),
+    : length_(run.tank.high()[0]),
+      height_(run.tank.high()[1] * (run.closed ? 1 : above_rim)),
       reach_(std::max(radius * run.spacing, 2 * step)),
       // The bell (1 - (r/h)^2)^2 has the integral pi h^2 / 3.
       volume_(run.spacing * run.spacing * 3 / (std::numbers::pi * reach_ * reach_)),

@@ -2,6 +2,7 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
+#include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -9,42 +10,54 @@
 #include <vtkProperty.h>
 #include <vtkTubeFilter.h>
 
+#include <Eigen/Core>
+#include <algorithm>
+
 namespace seiche::render {
 namespace {
 
-void add_bar(vtkPoints* points, vtkCellArray* cells, double x0, double y0, double x1, double y1) {
-  cells->InsertNextCell(4);
-  for (const auto& [x, y] : {std::pair{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}})
-    cells->InsertCellPoint(points->InsertNextPoint(x, y, 0));
+Eigen::Vector2d outward(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  const Eigen::Vector2d along = (to - from).normalized();
+  return {along[1], -along[0]};
 }
 
-// Bars outside of the inner walls, so that the liquid reaches exactly to the line.
-void outline_2d(const RunInfo& run, double line, vtkPolyData* shape) {
+// Bars outside of the wall's surface, so that the liquid reaches exactly to the line; mitred where two meet.
+void outline_2d(const SurfaceMesh& tank, double line, vtkPolyData* shape) {
+  const auto at = [&](int k) { return Eigen::Vector2d(tank.points[k].data()); };
+  std::vector<Eigen::Vector2d> first(tank.points.size(), Eigen::Vector2d::Zero()), offset = first;
+  for (const SurfaceMesh::Patch& patch : tank.patches)
+    for (const auto& face : patch.faces)
+      for (const int k : face) {
+        const Eigen::Vector2d normal = outward(at(face[0]), at(face[1]));
+        // Of two normals the mitre is (m + n)/(1 + m.n); it is cut where they are nearly opposite.
+        offset[k] = first[k].isZero() ? normal : (first[k] + normal) / std::max(0.25, 1 + first[k].dot(normal));
+        first[k] = normal;
+      }
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
-  const double length = run.tank[0], height = run.tank[1], top = run.closed ? height + line : height;
-  add_bar(points, cells, -line, -line, length + line, 0);
-  add_bar(points, cells, -line, 0, 0, top);
-  add_bar(points, cells, length, 0, length + line, top);
-  if (run.closed) add_bar(points, cells, 0, height, length, height + line);
+  const auto corner = [&](const Eigen::Vector2d& r) { return points->InsertNextPoint(r[0], r[1], 0); };
+  for (const SurfaceMesh::Patch& patch : tank.patches)
+    for (const auto& face : patch.faces) {
+      const int from = face[0], to = face[1];
+      const vtkIdType bar[] = {corner(at(from)), corner(at(to)), corner(at(to) + line * offset[to]),
+                               corner(at(from) + line * offset[from])};
+      cells->InsertNextCell(4, bar);
+    }
   shape->SetPoints(points);
   shape->SetPolys(cells);
 }
 
-// The edges of the box; those of an open top are edges all the same.
-void edges_3d(const RunInfo& run, vtkPolyData* shape) {
+void faces_3d(const SurfaceMesh& tank, vtkPolyData* shape) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
-  for (int corner = 0; corner < 8; ++corner)
-    points->InsertNextPoint(corner & 1 ? run.tank[0] : 0, corner & 2 ? run.tank[1] : 0, corner & 4 ? run.tank[2] : 0);
-  for (int corner = 0; corner < 8; ++corner)
-    for (const int bit : {1, 2, 4})
-      if (!(corner & bit)) {
-        const vtkIdType edge[] = {corner, corner | bit};
-        cells->InsertNextCell(2, edge);
-      }
+  for (const auto& point : tank.points) points->InsertNextPoint(point.data());
+  for (const SurfaceMesh::Patch& patch : tank.patches)
+    for (const auto& face : patch.faces) {
+      cells->InsertNextCell(static_cast<int>(face.size()));
+      for (const int corner : face) cells->InsertCellPoint(corner);
+    }
   shape->SetPoints(points);
-  shape->SetLines(cells);
+  shape->SetPolys(cells);
 }
 
 void set_colour(vtkActor* actor, Rgb colour) {
@@ -58,12 +71,16 @@ vtkSmartPointer<vtkActor> tank_outline(const RunInfo& run, double line, Rgb colo
   vtkNew<vtkPolyData> shape;
   vtkNew<vtkPolyDataMapper> mapper;
   if (run.dimension == 2) {
-    outline_2d(run, line, shape);
+    outline_2d(run.tank, line, shape);
     mapper->SetInputData(shape);
   } else {
-    edges_3d(run, shape);
+    faces_3d(run.tank, shape);
+    vtkNew<vtkFeatureEdges> edges;  // where faces meet at an angle, and those of an open top
+    edges->SetInputData(shape);
+    edges->ColoringOff();
+    edges->NonManifoldEdgesOff();
     vtkNew<vtkTubeFilter> tubes;
-    tubes->SetInputData(shape);
+    tubes->SetInputConnection(edges->GetOutputPort());
     tubes->SetRadius(line / 2);
     tubes->SetNumberOfSides(12);
     tubes->CappingOn();
@@ -76,24 +93,14 @@ vtkSmartPointer<vtkActor> tank_outline(const RunInfo& run, double line, Rgb colo
 }
 
 vtkSmartPointer<vtkActor> tank_back(const RunInfo& run, Rgb colour) {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> cells;
-  const auto [length, height, width] = run.tank;
-  const double faces[][4][3] = {{{0, 0, 0}, {length, 0, 0}, {length, 0, width}, {0, 0, width}},
-                                {{0, 0, 0}, {0, height, 0}, {0, height, width}, {0, 0, width}},
-                                {{0, 0, 0}, {length, 0, 0}, {length, height, 0}, {0, height, 0}}};
-  for (const auto& face : faces) {
-    cells->InsertNextCell(4);
-    for (const auto& corner : face) cells->InsertCellPoint(points->InsertNextPoint(corner));
-  }
   vtkNew<vtkPolyData> shape;
-  shape->SetPoints(points);
-  shape->SetPolys(cells);
+  faces_3d(run.tank, shape);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(shape);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   set_colour(actor, colour);
+  actor->GetProperty()->FrontfaceCullingOn();
   return actor;
 }
 

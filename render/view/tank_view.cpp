@@ -14,7 +14,7 @@
 namespace seiche::render {
 
 Bounds room_of(const RunInfo& run, const Look& look, const Frame& first) {
-  Bounds room{{0, 0, 0}, run.tank};
+  Bounds room{run.tank.low(), run.tank.high()};
   if (look.show_walls && run.dimension == 2)
     for (std::size_t i = 0; i < first.size(); ++i) {
       if (first.kind[i] == Kind::fluid) continue;

@@ -1,6 +1,6 @@
 #pragma once
 #include "solver/particles/neighbours.hpp"
-#include "solver/tank/tank.hpp"
+#include "solver/tank/shape.hpp"
 
 namespace seiche::solver {
 
@@ -11,8 +11,8 @@ class FluidCells {
  public:
   static constexpr double reach = 3;  ///< of `near` [l0]
 
-  explicit FluidCells(const Parameters& p)
-      : grid_(Vec<D>::Zero(), Box<D>(p).size, reach * p.particles.spacing), reach_(reach * p.particles.spacing) {}
+  explicit FluidCells(const Parameters& p) : FluidCells(make_shape<D>(p)->bounds(), p.particles.spacing) {}
+  FluidCells(const Bounds<D>& tank, double l0) : grid_(tank.low, tank.high, reach * l0), reach_(reach * l0) {}
 
   /// Call when particles have moved, come or gone.
   void sort(const State<D>& s) {

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "solver/sensors/pressure_fit.hpp"
-#include "solver/sensors/sensor_list.hpp"
 
 namespace seiche::solver {
 
@@ -13,12 +12,13 @@ template <int D>
 class PressureSensor {
  public:
   PressureSensor(const Parameters::PressureSensor& sensor, const Parameters& p) : l0_(p.particles.spacing) {
-    const double at[] = {sensor.x, sensor.y, sensor.z};
-    const int wall = wall_axis(sensor, p);
-    points_.emplace_back();
-    for (int a = 0; a < D; ++a) points_[0][a] = at[a];
+    const auto tank = make_shape<D>(p);
+    const Bounds<D> bounds = tank->bounds();
+    points_.push_back(Vec<3>(sensor.x, sensor.y, sensor.z).head<D>());
+    int wall;
+    tank->nearest(points_[0]).normal.cwiseAbs().maxCoeff(&wall);
     for (int a = 0; a < D; ++a)
-      if (a != wall && sensor.side > 0) spread(a, sensor.side, Box<D>(p).size[a]);
+      if (a != wall && sensor.side > 0) spread(a, sensor.side, bounds.low[a], bounds.high[a]);
   }
 
   /// [Pa]
@@ -30,11 +30,11 @@ class PressureSensor {
 
  private:
   /// Replaces each point by midpoints of equal parts of what `side` covers along an axis of the wall.
-  void spread(int axis, double side, double size) {
+  void spread(int axis, double side, double from, double to) {
     const Vecs<D> centres = std::move(points_);
     points_.clear();
-    const double low = std::max(0.0, centres[0][axis] - 0.5 * side);
-    const double high = std::min(size, centres[0][axis] + 0.5 * side);
+    const double low = std::max(from, centres[0][axis] - 0.5 * side);
+    const double high = std::min(to, centres[0][axis] + 0.5 * side);
     const int parts = std::max(1, static_cast<int>(std::ceil((high - low) / (0.5 * l0_) - 1e-9)));
     for (Vec<D> point : centres)
       for (int k = 0; k < parts; ++k) {

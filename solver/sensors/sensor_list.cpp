@@ -3,56 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <set>
 
 #include "solver/errors.hpp"
 #include "solver/motion/motion.hpp"
+#include "solver/tank/shape.hpp"
 
 namespace seiche::solver {
 namespace {
 
 constexpr double tolerance = 1e-9;  ///< of a place on a wall [m]
 
-using Point = std::array<double, 3>;
-
-Point size_of(const Parameters& p) { return {p.tank.length, p.tank.height, p.tank.width}; }
-
-bool is_inside(const Point& r, const Parameters& p) {
-  const Point size = size_of(p);
-  return std::equal(r.begin(), r.end(), size.begin(),
-                    [](double x, double end) { return x >= -tolerance && x <= end + tolerance; });
+template <int D>
+bool is_inside(const Vec<D>& r, const Bounds<D>& tank) {
+  return (r.array() >= tank.low.array() - tolerance).all() && (r.array() <= tank.high.array() + tolerance).all();
 }
 
-std::string written(const Point& r, const Parameters& p) {
-  return p.dimension() == 3 ? fmt::format("({:.6g}, {:.6g}, {:.6g}) m", r[0], r[1], r[2])
-                            : fmt::format("({:.6g}, {:.6g}) m", r[0], r[1]);
-}
-
-/// The ends of the tank, as in "x from 0 to 0.6 m, y from 0 to 0.4 m".
-std::string extent(const Parameters& p) {
-  return fmt::format("x from 0 to {:.6g} m, y from 0 to {:.6g} m", p.tank.length, p.tank.height) +
-         (p.dimension() == 3 ? fmt::format(", z from 0 to {:.6g} m", p.tank.width) : ", and has no z");
-}
-
-/// The point of a wall nearest to a point inside the tank.
-Point nearest_on_wall(const Point& r, const Parameters& p) {
-  const Point size = size_of(p);
-  Point best = r;
-  double least = size[0];
-  for (int axis : {0, 1, 2}) {
-    if (axis == 2 && p.dimension() == 2) continue;
-    for (const double wall : {0., size[axis]}) {
-      if (axis == 1 && wall > 0 && !p.tank.closed) continue;
-      if (std::abs(r[axis] - wall) > least) continue;
-      least = std::abs(r[axis] - wall);
-      best = r;
-      best[axis] = wall;
-    }
-  }
-  return best;
+template <int D>
+std::string written(const Vec<D>& r) {
+  return D == 3 ? fmt::format("({:.6g}, {:.6g}, {:.6g}) m", r[0], r[1], r[D - 1])
+                : fmt::format("({:.6g}, {:.6g}) m", r[0], r[1]);
 }
 
 void check_name(const char* list, const std::string& name, std::set<std::string>& names) {
@@ -64,46 +36,48 @@ void check_name(const char* list, const std::string& name, std::set<std::string>
     throw BadParameters(fmt::format("{}: two are called '{}'; give each a name of its own", list, name));
 }
 
-}  // namespace
-
-Parameters::Sensors sensors_of(const Parameters& p) {
-  Parameters::Sensors sensors = p.sensors;
-  const double middle = 0.5 * p.tank.width;
-  if (sensors.pressure.empty()) sensors.pressure = {{"left_bottom", 0, 0, middle, 0}};
-  if (sensors.gauge.empty()) sensors.gauge = {{"left", 0, middle}, {"right", p.tank.length, middle}};
-  return sensors;
-}
-
-int wall_axis(const Parameters::PressureSensor& sensor, const Parameters& p) {
-  const auto at = [](double x, double wall) { return std::abs(x - wall) <= tolerance; };
-  if (at(sensor.x, 0) || at(sensor.x, p.tank.length)) return 0;
-  if (p.dimension() == 3 && (at(sensor.z, 0) || at(sensor.z, p.tank.width))) return 2;
-  if (at(sensor.y, 0) || (p.tank.closed && at(sensor.y, p.tank.height))) return 1;
-  return -1;
-}
-
-void check_sensors(const Parameters& p) {
+template <int D>
+void check_in(const Parameters& p) {
+  const auto tank = make_shape<D>(p);
+  const Bounds<D> bounds = tank->bounds();
   std::set<std::string> names;
   for (const auto& sensor : p.sensors.pressure) {
     check_name("sensors.pressure", sensor.name, names);
-    const Point r{sensor.x, sensor.y, sensor.z};
-    if (!is_inside(r, p))
+    const Vec<D> r = Vec<3>(sensor.x, sensor.y, sensor.z).head<D>();
+    if (!is_inside(r, bounds) || (D == 2 && std::abs(sensor.z) > tolerance))
       throw BadParameters(fmt::format("sensors.pressure '{}' at ({:.6g}, {:.6g}, {:.6g}) m is outside the tank: {}",
-                                      sensor.name, r[0], r[1], r[2], extent(p)));
-    if (wall_axis(sensor, p) < 0)
+                                      sensor.name, sensor.x, sensor.y, sensor.z, tank->description()));
+    const Nearest<D> wall = tank->nearest(r);
+    if (std::abs(wall.distance) > tolerance)
       throw BadParameters(fmt::format("sensors.pressure '{}' at {} is not on a wall; the nearest point of one is {}",
-                                      sensor.name, written(r, p), written(nearest_on_wall(r, p), p)));
+                                      sensor.name, written<D>(r), written<D>(wall.foot)));
     if (!(sensor.side >= 0))
       throw BadParameters(fmt::format("sensors.pressure '{}': side = {:.6g} m is below 0", sensor.name, sensor.side));
   }
   names.clear();
   for (const auto& gauge : p.sensors.gauge) {
     check_name("sensors.gauge", gauge.name, names);
-    if (!is_inside({gauge.x, 0, gauge.z}, p))
+    if (!is_inside<D>(Vec<3>(gauge.x, bounds.low[1], gauge.z).head<D>(), bounds) ||
+        (D == 2 && std::abs(gauge.z) > tolerance))
       throw BadParameters(fmt::format("sensors.gauge '{}' at x = {:.6g} m, z = {:.6g} m is outside the tank: {}",
-                                      gauge.name, gauge.x, gauge.z, extent(p)));
+                                      gauge.name, gauge.x, gauge.z, tank->description()));
   }
 }
+
+}  // namespace
+
+Parameters::Sensors sensors_of(const Parameters& p) {
+  Parameters::Sensors sensors = p.sensors;
+  const SurfaceMesh tank = tank_surface(p);
+  const auto [left, bottom, near] = tank.low();
+  const auto [right, top, far] = tank.high();
+  const double middle = near + 0.5 * (far - near);
+  if (sensors.pressure.empty()) sensors.pressure = {{"left_bottom", left, bottom, middle, 0}};
+  if (sensors.gauge.empty()) sensors.gauge = {{"left", left, middle}, {"right", right, middle}};
+  return sensors;
+}
+
+void check_sensors(const Parameters& p) { p.dimension() == 3 ? check_in<3>(p) : check_in<2>(p); }
 
 std::vector<std::string> column_names(const Parameters& p) {
   const bool flat = p.dimension() == 2;

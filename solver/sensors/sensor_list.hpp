@@ -12,10 +12,6 @@ namespace seiche::solver {
 /// corner, gauges at the left and the right wall; in 3-D midway across.
 Parameters::Sensors sensors_of(const Parameters& p);
 
-/// The axis that the wall under a pressure sensor is normal to: 0 (left, right), 2 (near, far) or 1 (floor, roof of a
-/// closed tank), in this order where walls meet; -1 where there is no wall within 1e-9 m.
-int wall_axis(const Parameters::PressureSensor& sensor, const Parameters& p);
-
 /// Throws BadParameters for a sensor that is outside the tank or off its walls, and for names that can't be columns.
 void check_sensors(const Parameters& p);
 

@@ -16,9 +16,10 @@ namespace seiche::solver {
 template <int D>
 class SurfaceProfile {
  public:
-  explicit SurfaceProfile(const Parameters& p) : box_(p), l0_(p.particles.spacing) {
-    count_[0] = static_cast<int>(std::lround(p.tank.length / l0_));
-    if (D == 3) count_[1] = static_cast<int>(std::lround(p.tank.width / l0_));
+  explicit SurfaceProfile(const Parameters& p) : SurfaceProfile(*make_shape<D>(p), p.particles.spacing) {}
+  SurfaceProfile(const Shape<D>& tank, double l0) : size_(tank.bounds().size()), closed_(tank.is_closed()), l0_(l0) {
+    count_[0] = static_cast<int>(std::lround(size_[0] / l0_));
+    if (D == 3) count_[1] = static_cast<int>(std::lround(size_[D - 1] / l0_));
     height_.resize(count_[0] * count_[1]);
   }
 
@@ -91,7 +92,7 @@ class SurfaceProfile {
       const double here = fraction(c, y);
       if (here >= 0.5) {
         const double level = y + dy * (here - 0.5) / (here - above);
-        return box_.closed ? std::min(level, box_.size[1]) : level;
+        return closed_ ? std::min(level, size_[1]) : level;
       }
       above = here;
     }
@@ -113,12 +114,13 @@ class SurfaceProfile {
   /// Weight of a particle and of its mirror images behind the walls, along one axis, for column number `at`.
   double across(const Vec<D>& r, int axis, int at) const {
     const double x = (at + 0.5) * l0_;
-    return w(r[axis] - x) + w(r[axis] + x) + w(2 * box_.size[axis] - r[axis] - x);
+    return w(r[axis] - x) + w(r[axis] + x) + w(2 * size_[axis] - r[axis] - x);
   }
 
   double w(double distance) const { return KF4{2}(std::abs(distance) / l0_); }
 
-  Box<D> box_;
+  Vec<D> size_;  ///< of the tank [m]
+  bool closed_;
   double l0_;
   int count_[2] = {1, 1};
   Scalars height_;

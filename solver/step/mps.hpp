@@ -21,6 +21,8 @@
 #include "solver/step/run_state.hpp"
 #include "solver/step/snapshot.hpp"
 #include "solver/step/watch.hpp"
+#include "solver/tank/filling.hpp"
+#include "solver/tank/losses.hpp"
 #include "solver/tank/standing_wave.hpp"
 #include "solver/tank/wall_wetness.hpp"
 
@@ -102,7 +104,7 @@ class Mps final : public Simulation {
 
   Parameters p_;
   Motion motion_;
-  Box<D> box_;
+  std::shared_ptr<const Shape<D>> shape_;
   double l0_;
   Range<D> density_range_, gradient_range_, laplacian_range_;
   RunState<D> run_;

@@ -11,18 +11,18 @@ template <int D>
 Mps<D>::Mps(const Parameters& p, double sample_interval)
     : p_(p),
       motion_(p.motion),
-      box_(p),
+      shape_(make_shape<D>(p)),
       l0_(p.particles.spacing),
       density_range_(p, p.method.radius_density),
       gradient_range_(p, p.method.radius_gradient),
       laplacian_range_(p, p.method.radius_laplacian),
       run_{.particles = fill_tank<D>(p)},
       // A skin of 0.3 l0 balances the cost of longer rows against that of making the list more often.
-      list_(Vec<D>::Constant(-wall_layers(p.method) * l0_), box_.size.array() + wall_layers(p.method) * l0_,
-            longest_support(p.method) * l0_, 0.3 * l0_),
+      list_(shape_->bounds().low.array() - wall_layers(p.method) * l0_,
+            shape_->bounds().high.array() + wall_layers(p.method) * l0_, longest_support(p.method) * l0_, 0.3 * l0_),
       solver_(make_pressure_solver(p.pressure.solver, p.pressure.tolerance, p.pressure.max_iterations)),
       sensors_(p, sample_interval, s_),
-      watch_(p, motion_),
+      watch_(p, *shape_, motion_),
       wetness_(std::visit([&](auto w) { return WallWetness<D>(w, l0_); }, density_range_.w)),
       volume_kernel_(l0_),
       whole_volume_(1 + lattice_reference<D>(volume_kernel_, l0_).n0),
@@ -35,7 +35,7 @@ Mps<D>::Mps(const Parameters& p, double sample_interval)
   refresh_neighbours();
   measure_pairs();
   find_surface();
-  if (const StandingWave wave(p); p.fluid.wave_amplitude > 0)
+  if (const StandingWave wave(p, shape_->bounds().size()[0]); p.fluid.wave_amplitude > 0)
     each_fluid([&](int i) { s_.velocity[i] = wave.velocity<D>(s_.position[i]); });
   if (motion_.jumps()) start_at_rest_in_lab();
   run_.fastest = watch_.check_motion(s_);
@@ -299,14 +299,13 @@ void Mps<D>::take_out_lost() {
   const int size = static_cast<int>(s_.size());
   for (int i = 0; i < size; ++i) {
     if (s_.kind[i] != Kind::fluid) continue;
-    const bool over = box_.has_spilled(s_.position[i]);
-    spilled += over;
-    leaked += !over && box_.has_leaked(s_.position[i]);
+    const Loss loss = loss_of(s_.position[i], *shape_, l0_);
+    spilled += loss == Loss::spilled;
+    leaked += loss == Loss::leaked;
   }
   if (leaked + spilled == 0) return;
   for (int i = 0; i < size; ++i)
-    if (s_.kind[i] != Kind::fluid || !(box_.has_spilled(s_.position[i]) || box_.has_leaked(s_.position[i])))
-      kept.push_back(i);
+    if (s_.kind[i] != Kind::fluid || loss_of(s_.position[i], *shape_, l0_) == Loss::none) kept.push_back(i);
   s_.reorder(kept);
   totals_.leaked += leaked;
   totals_.spilled += spilled;

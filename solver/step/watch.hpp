@@ -8,7 +8,7 @@
 #include "solver/motion/motion.hpp"
 #include "solver/statistics.hpp"
 #include "solver/step/time_step.hpp"
-#include "solver/tank/tank.hpp"
+#include "solver/tank/shape.hpp"
 
 namespace seiche::solver {
 
@@ -16,12 +16,13 @@ namespace seiche::solver {
 template <int D>
 class Watch {
  public:
-  Watch(const Parameters& p, const Motion& motion)
-      : speed_limit_(10 * (std::sqrt(2 * p.gravity * Box<D>(p).diagonal()) + motion.fastest(reach(p)))),
+  Watch(const Parameters& p, const Shape<D>& shape, const Motion& motion)
+      : speed_limit_(10 * (std::sqrt(2 * p.gravity * shape.bounds().size().norm()) +
+                           motion.fastest(reach(shape.bounds(), p.motion)))),
         cap_(step_cap(p)) {}
 
   /// Greatest speed of the fluid [m/s]. Throws when one isn't finite, or beyond 10 (sqrt(2 g D) + tank speed), D the
-  /// tank's diagonal: ten times what a free fall through the whole tank gives.
+  /// diagonal of the tank's bounds: ten times what a free fall through the whole tank gives.
   double check_motion(const State<D>& s) const {
     double fastest = 0;
     int finite = 1;
@@ -69,10 +70,11 @@ class Watch {
   }
 
  private:
-  /// From the pivot to the farthest corner [m].
-  static double reach(const Parameters& p) {
-    const auto farther = [](double at, double size) { return std::max(std::abs(at), std::abs(size - at)); };
-    return std::hypot(farther(p.motion.pivot_x, p.tank.length), farther(p.motion.pivot_y, p.tank.height));
+  /// From the pivot to the farthest corner of the bounds [m].
+  static double reach(const Bounds<D>& bounds, const Parameters::Motion& motion) {
+    Vec<D> pivot = Vec<D>::Zero();
+    pivot.template head<2>() << motion.pivot_x, motion.pivot_y;
+    return (pivot - bounds.low).cwiseAbs().cwiseMax((bounds.high - pivot).cwiseAbs()).norm();
   }
 
   template <class F>

@@ -16,8 +16,9 @@ struct StandingWave {
   double wavenumber;  ///< k [1/m]
   double depth;       ///< h [m]
 
-  explicit StandingWave(const Parameters& p)
-      : wavenumber(p.fluid.wave_mode * std::numbers::pi / p.tank.length), depth(p.fluid.depth) {
+  /// @param length of the tank, with upright ends at x = 0 and there [m]
+  StandingWave(const Parameters& p, double length)
+      : wavenumber(p.fluid.wave_mode * std::numbers::pi / length), depth(p.fluid.depth) {
     const double omega = std::sqrt(p.gravity * wavenumber * std::tanh(wavenumber * depth));
     speed = p.fluid.wave_amplitude * p.gravity * wavenumber / omega;
   }

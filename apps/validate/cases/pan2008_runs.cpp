@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/validate/surface.hpp"
+#include "solver/make_simulation.hpp"
 
 namespace seiche::apps::validate::pan {
 
@@ -29,7 +30,7 @@ double Run::weight() const {
 Run make_run(Bench& bench, double spacing, double end) {
   const std::vector<std::string> settings{fmt::format("particles.spacing={}", spacing), fmt::format("time.end={}", end),
                                           fmt::format("output.frame_rate={}", 1 / frame_interval)};
-  const double length = bench.scene("pan2008", settings).parameters.tank.length;
+  const double length = tank_surface(bench.scene("pan2008", settings).parameters).size()[0];
   Run run;
   const auto look = [&run](const Frame& frame, const RunInfo&) { run.flags.see(frame); };
   run.recording = bench.run("pan2008", settings, look, stations(length, 60));

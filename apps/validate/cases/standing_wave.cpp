@@ -8,6 +8,7 @@
 #include "apps/validate/cases/cases.hpp"
 #include "apps/validate/fit.hpp"
 #include "apps/validate/modal_theory.hpp"
+#include "solver/make_simulation.hpp"
 
 namespace seiche::apps::validate {
 namespace {
@@ -42,7 +43,7 @@ Findings standing_wave(Bench& bench) {
   Series free;
   const Parameters p = follow(bench, 0, settings, free).parameters;
   const int n = p.fluid.wave_mode;
-  const double k = n * std::numbers::pi / p.tank.length, omega = natural_frequency(p, n);
+  const double k = n * std::numbers::pi / tank_surface(p).size()[0], omega = natural_frequency(p, n);
   const Oscillation own = fit_oscillation(free, omega);
   Findings found;
   found.figures = {

@@ -6,6 +6,7 @@
 #include "apps/validate/cases/cases.hpp"
 #include "apps/validate/surface.hpp"
 #include "apps/validate/surface_flags.hpp"
+#include "solver/make_simulation.hpp"
 
 // Two tanks at rest, of 0.5 and 20 m. By Froude's law times and speeds grow with the root of the depth, so the large
 // one is run, looked at and judged at the small one's times and speeds.
@@ -43,13 +44,13 @@ double greatest(const Series& series) { return *std::max_element(series.y.begin(
 
 StillTank make_run(Bench& bench, const std::string& scene) {
   const Parameters p = bench.scene(scene, {}).parameters;
-  StillTank tank{
-      .title = fmt::format("{:g} m{}", p.tank.length, p.fluid.depth == model_depth ? "" : ", by Froude's law"),
-      .froude = std::sqrt(p.fluid.depth / model_depth),
-      .recording = {},
-      .error = {},
-      .speed = {},
-      .flags = {}};
+  StillTank tank{.title = fmt::format("{:g} m{}", tank_surface(p).size()[0],
+                                      p.fluid.depth == model_depth ? "" : ", by Froude's law"),
+                 .froude = std::sqrt(p.fluid.depth / model_depth),
+                 .recording = {},
+                 .error = {},
+                 .speed = {},
+                 .flags = {}};
   const auto look = [&tank](const Frame& frame, const RunInfo& run) {
     for (Series* series : {&tank.error, &tank.speed}) series->t.push_back(frame.time / tank.froude);
     tank.error.y.push_back(100 * hydrostatic_error(frame, run));
@@ -60,7 +61,7 @@ StillTank make_run(Bench& bench, const std::string& scene) {
                              {fmt::format("time.end={}", end * tank.froude),
                               fmt::format("output.frame_rate={}", 1 / (frame_interval * tank.froude)),
                               fmt::format("output.probe_rate={}", 1000 / tank.froude)},
-                             look, stations(p.tank.length, 50));
+                             look, stations(tank_surface(p).size()[0], 50));
   return tank;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solver/frame.hpp"
+#include "solver/make_simulation.hpp"
 #include "solver/run_info.hpp"
 
 namespace seiche::test {
@@ -13,6 +14,12 @@ struct Box {
   bool closed = true;
 };
 
+inline SurfaceMesh surface_of(const Box& box) {
+  Parameters p;
+  p.tank = {box.length, box.height, box.width, box.closed};
+  return tank_surface(p);
+}
+
 inline RunInfo run_info(const Box& box) {
   RunInfo run;
   run.name = "pan2008";
@@ -22,7 +29,7 @@ inline RunInfo run_info(const Box& box) {
   run.kernel = "KF3";
   run.preset = "stabilised";
   run.dimension = box.width > 0 ? 3 : 2;
-  run.tank = {box.length, box.height, box.width};
+  run.tank = surface_of(box);
   run.closed = box.closed;
   run.depth = box.depth;
   run.density = 1000;

@@ -1,6 +1,6 @@
 #pragma once
 #include "solver/sensors/fluid_cells.hpp"
-#include "solver/tank/tank.hpp"
+#include "solver/tank/filling.hpp"
 #include "tests/unit/solver/still_tank.hpp"
 
 namespace seiche::solver::test {

@@ -4,7 +4,7 @@
 #include "solver/pressure/boundary.hpp"
 #include "solver/pressure/pressure_system.hpp"
 #include "solver/pressure/surface_pressure.hpp"
-#include "solver/tank/tank.hpp"
+#include "solver/tank/filling.hpp"
 #include "solver/tank/wall_wetness.hpp"
 #include "tests/unit/solver/cloud.hpp"
 

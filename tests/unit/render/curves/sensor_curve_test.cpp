@@ -54,7 +54,7 @@ TEST(AxisRange, BeginsWithAQuarterOfWhatTheStillLiquidHas) {
 
 TEST(AxisRange, OfAVolumeShowsItsDrift) {
   RunInfo run = test::run_with_sensors({});
-  run.tank = {0.6, 0.4, 0};
+  run.tank = tank_surface(Parameters{});
   run.sensors = {"volume [m^2]", "force_y [N/m]", "potential_energy [J/m]"};
   Look look;
   look.curves = "volume, force_y, potential_energy";

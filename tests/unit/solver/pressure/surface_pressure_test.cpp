@@ -78,7 +78,7 @@ TEST(SurfacePressure, LetsTheLiquidFeelTheNormalViscousStress) {
   p.fluid.depth = 0.2;
   p.fluid.wave_amplitude = 0.005;
   StillTank<2> tank(p);
-  const StandingWave wave(p);
+  const StandingWave wave(p, p.tank.length);
   State<2>& s = tank.s;
   for (std::size_t i = 0; i < s.size(); ++i)
     if (s.kind[i] == Kind::fluid) s.velocity[i] = wave.velocity<2>(s.position[i]);

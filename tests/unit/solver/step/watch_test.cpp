@@ -14,7 +14,7 @@ struct WatchOf : ::testing::Test {
   static constexpr int D = T::D;
   Parameters p = parameters();
   Motion motion{p.motion};
-  Watch<D> watch{p, motion};
+  Watch<D> watch{p, *make_shape<D>(p), motion};
   State<D> s = fill_tank<D>(p);
 
   static Parameters parameters() {

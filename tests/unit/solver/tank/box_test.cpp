@@ -1,77 +1,95 @@
+#include "solver/tank/box.hpp"
+
 #include <gtest/gtest.h>
 
-#include "solver/tank/tank.hpp"
+#include "solver/errors.hpp"
 #include "tests/unit/solver/still_tank.hpp"
 
 namespace seiche::solver {
 namespace {
 
-using test::l0;
-
 template <class T>
 struct BoxOf : ::testing::Test {
   static constexpr int D = T::D;
-  Box<D> closed{parameters(true)}, open{parameters(false)};
-  Vec<D> middle = 0.5 * closed.size;
-
   static Parameters parameters(bool closed) {
-    Parameters p = test::small_tank<D>();
-    p.tank.closed = closed;
+    Parameters p;
+    p.tank = {0.6, 0.4, D == 3 ? 0.3 : 0, closed};
     return p;
   }
-  /// The tank's middle, but for one coordinate.
-  Vec<D> at(int axis, double value) const {
-    Vec<D> r = middle;
-    r[axis] = value;
-    return r;
-  }
+  Box<D> closed{parameters(true)}, open{parameters(false)};
+  Vec<D> high = closed.bounds().high, middle = 0.5 * high;
 };
 TYPED_TEST_SUITE(BoxOf, test::Dimensions);
 
-TYPED_TEST(BoxOf, LeaksThroughEveryWallPastTheWallParticles) {
-  constexpr double slack = 0.5 * l0, little = 1e-9;
-  for (int a = 0; a < TypeParam::D; ++a) {
-    const double end = this->closed.size[a];
-    EXPECT_FALSE(this->closed.has_leaked(this->at(a, -slack + little))) << a;
-    EXPECT_TRUE(this->closed.has_leaked(this->at(a, -slack - little))) << a;
-    EXPECT_FALSE(this->closed.has_leaked(this->at(a, end + slack - little))) << a;
-    EXPECT_TRUE(this->closed.has_leaked(this->at(a, end + slack + little))) << a;
-    EXPECT_EQ(this->open.has_leaked(this->at(a, -l0)), true) << a;
-    EXPECT_EQ(this->open.has_leaked(this->at(a, end + l0)), a != 1) << a;
-  }
+TYPED_TEST(BoxOf, KnowsTheNearestPointOfEachWall) {
+  constexpr int D = TypeParam::D;
+  const SurfaceMesh mesh = this->closed.surface();
+  for (int axis = 0; axis < D; ++axis)
+    for (const bool top : {false, true})
+      for (const double beyond : {-0.05, 0.03}) {
+        Vec<D> r = this->middle;
+        r[axis] = top ? this->high[axis] + beyond : -beyond;
+        const Nearest<D> wall = this->closed.nearest(r);
+        EXPECT_DOUBLE_EQ(wall.distance, beyond);
+        EXPECT_EQ(wall.normal, Vec<D>((top ? 1 : -1) * Vec<D>::Unit(axis)));
+        EXPECT_LT((wall.foot + beyond * wall.normal - r).norm(), 1e-15);
+        const char* names[][2] = {{"left", "right"}, {"floor", "roof"}, {"near", "far"}};
+        EXPECT_EQ(mesh.patches[static_cast<std::size_t>(wall.patch)].name, names[axis][top]);
+      }
 }
 
-TYPED_TEST(BoxOf, SpillsOverTheRimOfAnOpenTankOnly) {
-  for (int a = 0; a < TypeParam::D; ++a) {
-    if (a == 1) continue;
-    for (double beside : {-l0, this->open.size[a] + l0}) {
-      auto r = this->at(a, beside);
-      r[1] = this->open.size[1] + 0.1 * l0;
-      EXPECT_TRUE(this->open.has_spilled(r)) << a;
-      EXPECT_FALSE(this->open.has_leaked(r)) << a;
-      EXPECT_FALSE(this->closed.has_spilled(r)) << a;
-      EXPECT_TRUE(this->closed.has_leaked(r)) << a;
-      r[1] = this->open.size[1] - 0.1 * l0;
-      EXPECT_FALSE(this->open.has_spilled(r)) << a;
-      EXPECT_TRUE(this->open.has_leaked(r)) << a;
+TYPED_TEST(BoxOf, IsAsFarFromACornerAsTheCornerIs) {
+  constexpr int D = TypeParam::D;
+  const Vec<D> off = Vec<D>::LinSpaced(0.01, 0.03);
+  const Nearest<D> wall = this->closed.nearest(this->high + off);
+  EXPECT_DOUBLE_EQ(wall.distance, off.norm());
+  EXPECT_EQ(wall.foot, this->high);
+}
+
+TYPED_TEST(BoxOf, HasNoRoofWhereItIsOpen) {
+  constexpr int D = TypeParam::D;
+  Vec<D> r = this->middle;
+  r[1] = 10 * this->high[1];
+  EXPECT_DOUBLE_EQ(this->open.nearest(r).distance, -0.5 * this->high[D - 1 == 2 ? 2 : 0]);
+  EXPECT_FALSE(this->open.is_closed());
+  EXPECT_EQ(this->open.surface().patches.size(), this->closed.surface().patches.size() - 1);
+}
+
+/// Integral of the outward normal, and volume by the divergence theorem.
+template <int D>
+std::pair<Vec<3>, double> of_surface(const SurfaceMesh& mesh) {
+  Vec<3> sum = Vec<3>::Zero();
+  double volume = 0;
+  for (const auto& patch : mesh.patches)
+    for (const auto& face : patch.faces) {
+      const auto at = [&](std::size_t k) { return Vec<3>(mesh.points[static_cast<std::size_t>(face[k])].data()); };
+      for (std::size_t k = 1; k + 1 < (D == 2 ? 3 : face.size()); ++k) {
+        const Vec<3> normal =
+            D == 2 ? (at(1) - at(0)).cross(Vec<3>::UnitZ()) : 0.5 * (at(k) - at(0)).cross(at(k + 1) - at(0));
+        sum += normal;
+        volume += at(0).dot(normal) / D;
+      }
     }
-  }
+  return {sum, volume};
 }
 
-TYPED_TEST(BoxOf, HoldsWhatFliesAboveAnOpenTank) {
-  const auto r = this->at(1, 100 * this->open.size[1]);
-  EXPECT_FALSE(this->open.has_spilled(r));
-  EXPECT_FALSE(this->open.has_leaked(r));
-  EXPECT_TRUE(this->closed.has_leaked(r));
+TYPED_TEST(BoxOf, SurfaceIsClosedAndFacesOutwards) {
+  constexpr int D = TypeParam::D;
+  const SurfaceMesh mesh = this->closed.surface();
+  const auto [normal, volume] = of_surface<D>(mesh);
+  EXPECT_LT(normal.norm(), 1e-15);
+  EXPECT_NEAR(volume, this->high.prod(), 1e-15);
+  for (int axis = 0; axis < D; ++axis) EXPECT_EQ(mesh.size()[static_cast<std::size_t>(axis)], this->high[axis]);
 }
 
-TEST(Box, DiagonalIsThatOfTheInnerBox) {
+TEST(CheckBox, WantsWholeSpacings) {
   Parameters p;
-  p.tank.length = 0.3;
-  p.tank.height = 0.4;
-  EXPECT_DOUBLE_EQ(Box<2>(p).diagonal(), 0.5);
-  p.tank.width = 1.2;
-  EXPECT_DOUBLE_EQ(Box<3>(p).diagonal(), 1.3);
+  p.tank.length = 0.6012;
+  EXPECT_THROW(check_shape(p), BadParameters);
+  p.tank.length = 0.6;
+  EXPECT_NO_THROW(check_shape(p));
+  p.tank.width = 3 * p.particles.spacing;
+  EXPECT_THROW(check_shape(p), BadParameters);
 }
 
 }  // namespace

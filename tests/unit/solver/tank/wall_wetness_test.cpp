@@ -20,7 +20,8 @@ TYPED_TEST(Wetness, OfStillWaterEndsAtItsTopmostLayer) {
   tank.wet_walls();
   for (std::size_t i = 0; i < tank.s.size(); ++i) {
     const double y = tank.s.position[i][1];
-    const Vec<D> outside = tank.s.position[i] - tank.s.position[i].cwiseMax(0).cwiseMin(Box<D>(tank.p).size);
+    const Vec<D> outside =
+        tank.s.position[i] - tank.s.position[i].cwiseMax(0).cwiseMin(make_shape<D>(tank.p)->bounds().high);
     if (outside.norm() > tank.w.support) continue;  // no liquid comes near it
     const double expected = tank.s.kind[i] == Kind::fluid || y < tank.p.fluid.depth ? 1 : 0;
     // Where two walls meet beside the surface a particle's share of liquid is another: by less than a hundredth.

@@ -1,4 +1,4 @@
-#include "solver/tank/tank.hpp"
+#include "solver/tank/filling.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ template <class T>
 struct FilledTank : ::testing::Test {
   static constexpr int D = T::D;
   Parameters p = small_tank<D>();
-  Box<D> box{p};
+  Bounds<D> box = make_shape<D>(p)->bounds();
   State<D> s = fill_tank<D>(p);
 };
 TYPED_TEST_SUITE(FilledTank, test::Dimensions);
@@ -80,11 +80,11 @@ TYPED_TEST(FilledTank, StandsOnOneLatticeHalfASpacingOffTheWalls) {
 
 /// Layers outside of the box on each axis, signed.
 template <int D>
-Vec<D> layers_outside(const Box<D>& box, const Vec<D>& r) {
+Vec<D> layers_outside(const Bounds<D>& box, const Vec<D>& r) {
   Vec<D> out = Vec<D>::Zero();
   for (int a = 0; a < D; ++a) {
     if (r[a] < 0) out[a] = std::floor(r[a] / l0);
-    if (r[a] > box.size[a]) out[a] = std::ceil((r[a] - box.size[a]) / l0);
+    if (r[a] > box.high[a]) out[a] = std::ceil((r[a] - box.high[a]) / l0);
   }
   return out;
 }
