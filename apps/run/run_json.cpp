@@ -124,8 +124,8 @@ void read_parameters(const nlohmann::json& json, Scene& scene) {
     list.reset(scene, tables.size());
     for (std::size_t row = 0; row < tables.size(); ++row)
       for (const Member& member : list.members)
-        refuse_if(put(value_from(tables[row].at(std::string(member.key))),
-                      {target(member, scene, row), member.rule, title(list, member), expected(member)}));
+        if (const auto found = tables[row].find(std::string(member.key)); found != tables[row].end())
+          refuse_if(assign(list, member, scene, row, value_from(*found)));
   }
 }
 

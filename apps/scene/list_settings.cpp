@@ -31,7 +31,7 @@ void put_list(const ListSetting& setting, Scene& scene, std::vector<Complaint>& 
     check_required(list, setting.tables[row], complaints);
     for (const Key& key : setting.tables[row].keys) {
       const Member& member = *key.member;
-      auto complaint = put(key.value, {target(member, scene, row), member.rule, title(list, member), expected(member)});
+      auto complaint = assign(list, member, scene, row, key.value);
       if (!complaint && std::holds_alternative<Name>(member.rule)) {
         const std::string& name = std::get<std::string>(key.value);
         if (!names.insert(name).second)

@@ -3,6 +3,15 @@
 #include <fmt/format.h>
 
 namespace seiche::apps {
+namespace {
+
+/// The member of one table, where it isn't an enum.
+Target target(const Member& member, Scene& scene, std::size_t row) {
+  if (const auto* number = std::get_if<double& (*)(Scene&, std::size_t)>(&member.access)) return &(*number)(scene, row);
+  return &std::get<std::string& (*)(Scene&, std::size_t)>(member.access)(scene, row);
+}
+
+}  // namespace
 
 const List* find_list(std::string_view section, std::string_view key) {
   for (const List& list : lists()) {
@@ -32,11 +41,18 @@ std::string form(const List& list) {
 
 std::string expected(const Member& member) { return expected(member.rule, member.unit, false); }
 
-Target target(const Member& member, Scene& scene, std::size_t row) {
-  return std::visit([&](auto at) { return Target(&at(scene, row)); }, member.access);
+std::optional<std::string> assign(const List& list, const Member& member, Scene& scene, std::size_t row,
+                                  const Value& value) {
+  const auto* chosen = std::get_if<ChosenInRow>(&member.access);
+  std::string text;
+  auto complaint =
+      put(value, {chosen ? &text : target(member, scene, row), member.rule, title(list, member), expected(member)});
+  if (!complaint && chosen) chosen->set(scene, row, text);
+  return complaint;
 }
 
 Value value_of(const Member& member, const Scene& scene, std::size_t row) {
+  if (const auto* chosen = std::get_if<ChosenInRow>(&member.access)) return chosen->get(scene, row);
   Scene copy = scene;  // The table reaches members for writing only; one copy a key is cheap.
   return value_in(target(member, copy, row));
 }

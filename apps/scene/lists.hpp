@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -10,9 +11,16 @@
 // Lists of tables in a scene, as [[sensors.gauge]]: one table of what their tables hold, as options.hpp is of the keys.
 namespace seiche::apps {
 
+/// An enum of a list's table, by the names of its values. `set` takes one of the member's Choices.
+struct ChosenInRow {
+  std::string (*get)(const Scene&, std::size_t row);
+  void (*set)(Scene&, std::size_t row, std::string_view);
+};
+
 /// One key of a list's tables. A table without it keeps the default, unless it is required.
 struct Member {
-  using Access = std::variant<double& (*)(Scene&, std::size_t row), std::string& (*)(Scene&, std::size_t row)>;
+  using Access =
+      std::variant<double& (*)(Scene&, std::size_t row), std::string& (*)(Scene&, std::size_t row), ChosenInRow>;
   std::string_view key;
   std::string_view unit;  ///< empty: none
   Access access;
@@ -54,8 +62,9 @@ std::string expected(const Member& member);
 /// The same: what a member takes needs no more words in documents.
 inline std::string explained(const Member& member) { return expected(member); }
 
-/// The member of one table.
-Target target(const Member& member, Scene& scene, std::size_t row);
+/// Puts the value into one table; on a wrong one the scene is left as it was and the complaint returned.
+std::optional<std::string> assign(const List& list, const Member& member, Scene& scene, std::size_t row,
+                                  const Value& value);
 
 /// Its value.
 Value value_of(const Member& member, const Scene& scene, std::size_t row);

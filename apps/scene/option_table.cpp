@@ -22,13 +22,6 @@ Choices kernels() {
 
 Choices quantities() { return {render::quantity_names().begin(), render::quantity_names().end()}; }
 
-template <class E>
-Choices names() {
-  Choices all;
-  for (const Choice<E>& row : ChoiceTable<E>::rows) all.push_back(row.name);
-  return all;
-}
-
 // The access to an enum of the scene by its values' names.
 template <auto member>
 Chosen chosen() {

@@ -42,8 +42,7 @@ TEST(Lists, EachKeySetsItsOwnMemberOfItsOwnTableAndNoOther) {
       const Value value = range     ? Value(range->high)
                           : choices ? Value(std::string(choices->back()))
                                     : Value(std::string("other"));
-      const Slot slot{target(member, scene, 1), member.rule, "", ""};
-      EXPECT_EQ(put(value, slot), std::nullopt) << title(list, member);
+      EXPECT_EQ(assign(list, member, scene, 1, value), std::nullopt) << title(list, member);
       for (const Member& other : list.members) {
         EXPECT_EQ(value_of(other, scene, 0), value_of(other, fresh, 0)) << title(list, member);
         EXPECT_EQ(value_of(other, scene, 1), &other == &member ? value : value_of(other, fresh, 1))
