@@ -6,7 +6,7 @@
 #include <initializer_list>
 
 #include "solver/motion/check_motion.hpp"
-#include "solver/sensors/sensor_list.hpp"
+#include "solver/sensors/check_sensors.hpp"
 
 namespace seiche {
 namespace {

@@ -3,19 +3,15 @@
 #include <omp.h>
 
 #include "solver/check_parameters.hpp"
-#include "solver/motion/motion.hpp"
-#include "solver/sensors/sensor_list.hpp"
+#include "solver/motion/excursion.hpp"
+#include "solver/sensors/sensor_kinds.hpp"
 #include "solver/step/mps.hpp"
 
 namespace seiche {
 
-std::vector<std::string> sensor_columns(const Parameters& parameters) { return solver::column_names(parameters); }
+std::vector<Column> sensor_columns(const Parameters& parameters) { return solver::columns_of(parameters); }
 
-Double3 motion_extent(const Parameters& p) {
-  // The walls' particles stand outside of the box.
-  const double walls = solver::wall_layers(p.method) * p.particles.spacing;
-  return solver::Motion(p.motion).extent({-walls, -walls, 0}, {p.tank.length + walls, p.tank.height + walls, 0});
-}
+Double3 motion_extent(const Parameters& p) { return solver::excursion(p); }
 
 std::unique_ptr<Simulation> make_simulation(const Parameters& p, double sample_interval) {
   check_parameters(p);

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "apps/report/html.hpp"
+#include "render/curves.hpp"
 #include "render/picture.hpp"
 
 namespace seiche::apps::report {
@@ -82,10 +83,9 @@ std::string note(const Chart& chart, const Extent& extent) {
   std::string text;
   if (chart.means) text = "Running means; probes.csv has the readings themselves. ";
   if (extent.beyond != 0) {
-    const std::size_t unit = chart.title.rfind(" ["), end = chart.title.rfind(']');
-    const std::string name = unit == std::string::npos ? "" : chart.title.substr(unit + 2, end - unit - 2);
-    text += fmt::format("{} beyond the axis are cut off; the furthest is {:.{}f} {}.",
-                        chart.means ? "Means" : "Readings", extent.beyond, std::abs(extent.beyond) < 100 ? 3 : 0, name);
+    text +=
+        fmt::format("{} beyond the axis are cut off; the furthest is {:.{}f} {}.", chart.means ? "Means" : "Readings",
+                    extent.beyond, std::abs(extent.beyond) < 100 ? 3 : 0, render::raised_powers(chart.column.unit));
   }
   return text.empty() ? text : fmt::format("<p class=\"note\">{}</p>\n", escaped(text));
 }

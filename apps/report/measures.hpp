@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/report/contents.hpp"
+#include "solver/column.hpp"
 
 namespace seiche::apps::report {
 
@@ -34,10 +35,9 @@ struct Measures {
   std::optional<double> drift;               ///< of the volume: mean of the last tenth less that of the first, of it
 };
 
-/// Which sensors are measured, without units: the first pressure and the first elevation of those charted, else of
-/// all. Empty: the run has none.
+/// Which sensors are measured: the first pressure and the first elevation of those charted, else of all.
 struct Measured {
-  std::string pressure, elevation;
+  std::optional<seiche::Column> pressure, elevation;
 };
 Measured measured_sensors(const StoredRun& run);
 

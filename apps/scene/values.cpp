@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "apps/common/nearest.hpp"
+#include "solver/column.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -28,10 +29,6 @@ bool holds(const Range& range, double number) {
   return (range.above_low ? number > range.low : number >= range.low) && number <= range.high;
 }
 
-bool is_name(const std::string& word) {
-  return !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
-}
-
 std::string refusal(const Slot& slot, const Value& value, const std::string& why) {
   return apps::refusal(slot.title, slot.expected, value, why);
 }
@@ -40,7 +37,7 @@ std::string refusal(const Slot& slot, const Value& value, const std::string& why
 std::optional<std::string> wrong_word(const Slot& slot, const std::string& word) {
   if (std::holds_alternative<Text>(slot.rule)) return {};
   if (std::holds_alternative<Name>(slot.rule)) {
-    if (is_name(word)) return {};
+    if (is_column_name(word)) return {};
     return refusal(slot, word, "is no name");
   }
   const Choices& choices = std::get<Choices>(slot.rule);
@@ -85,7 +82,7 @@ std::optional<std::string> put_bool(const Slot& slot, bool& target, const Value&
 std::string expected(const Rule& rule, std::string_view unit, bool whole) {
   return std::visit(
       Overloaded{[](const Choices& choices) { return fmt::format("one of {}", fmt::join(choices, ", ")); },
-                 [](Name) { return std::string("a name of a-z, 0-9 and _"); }, [](Text) { return std::string("text"); },
+                 [](Name) { return std::string(column_name_rule); }, [](Text) { return std::string("text"); },
                  [](std::monostate) { return std::string("true or false"); },
                  [&](const Range& range) {
                    const std::string ends = range.above_low ? fmt::format("above {}, up to {}", range.low, range.high)

@@ -64,12 +64,15 @@ void Motion::append(double t, std::vector<double>& values) const {
   if (roll_.moves()) values.push_back(roll(t).value / degree);
 }
 
-std::vector<std::string> motion_columns(const Parameters::Motion& m) {
-  std::vector<std::string> names;
-  if (course(m, "surge", m.series.surge, 1).moves()) names.emplace_back("surge [m]");
-  if (course(m, "heave", m.series.heave, 1).moves()) names.emplace_back("heave [m]");
-  if (course(m, "roll", m.series.roll, degree).moves()) names.emplace_back("roll [deg]");
-  return names;
+std::vector<Column> motion_columns(const Parameters::Motion& m, const Double3& excursion) {
+  std::vector<Column> columns;
+  if (course(m, "surge", m.series.surge, 1).moves())
+    columns.push_back({"surge", "m", "surge", ColumnKind::translation, Rest::zero, excursion[0]});
+  if (course(m, "heave", m.series.heave, 1).moves())
+    columns.push_back({"heave", "m", "heave", ColumnKind::translation, Rest::zero, excursion[1]});
+  if (course(m, "roll", m.series.roll, degree).moves())
+    columns.push_back({"roll", "deg", "roll", ColumnKind::rotation, Rest::zero});
+  return columns;
 }
 
 }  // namespace seiche::solver

@@ -1,7 +1,7 @@
 #pragma once
-#include <string>
 #include <vector>
 
+#include "solver/column.hpp"
 #include "solver/frame.hpp"
 #include "solver/motion/course.hpp"
 #include "solver/parameters.hpp"
@@ -47,7 +47,8 @@ class Motion {
   bool impulsive_;
 };
 
-/// Names with units of what the motion moves, of "surge [m]", "heave [m]" and "roll [deg]".
-std::vector<std::string> motion_columns(const Parameters::Motion& m);
+/// The columns of what the motion moves, of surge, heave and roll.
+/// @param excursion scale of the first two on each axis [m]
+std::vector<Column> motion_columns(const Parameters::Motion& m, const Double3& excursion);
 
 }  // namespace seiche::solver

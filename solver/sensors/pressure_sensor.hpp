@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "solver/sensors/pressure_fit.hpp"
+#include "solver/sensors/scales.hpp"
+#include "solver/sensors/sensor.hpp"
 #include "solver/sensors/sensor_list.hpp"
 
 namespace seiche::solver {
@@ -45,6 +47,30 @@ class PressureSensor {
 
   double l0_;
   Vecs<D> points_;
+};
+
+/// All that the scene names.
+template <int D>
+class PressureSensors : public Sensor<D> {
+ public:
+  static std::vector<Column> columns(const Parameters& p) {
+    std::vector<Column> all;
+    for (const auto& sensor : sensors_of(p).pressure)
+      all.push_back({"p_" + sensor.name, "Pa", "pressure, " + in_words(sensor.name), ColumnKind::pressure,
+                     Rest::first_value, Scales(p).pressure});
+    return all;
+  }
+
+  PressureSensors(const Parameters& p, const State<D>&) {
+    for (const auto& sensor : sensors_of(p).pressure) sensors_.emplace_back(sensor, p);
+  }
+
+  void read(const Instant<D>& now, Scalars& values) override {
+    for (const auto& sensor : sensors_) values.push_back(sensor.read(now.s, now.cells));
+  }
+
+ private:
+  std::vector<PressureSensor<D>> sensors_;
 };
 
 }  // namespace seiche::solver

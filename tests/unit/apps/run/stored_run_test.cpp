@@ -13,6 +13,7 @@
 #include "tests/unit/apps/errors_of.hpp"
 #include "tests/unit/apps/files.hpp"
 #include "tests/unit/apps/refusal.hpp"
+#include "tests/unit/headers.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -99,7 +100,7 @@ TEST_F(StoredRunTest, KnowsHowTheRunEnded) {
 
 TEST_F(StoredRunTest, ReadsProbesUpToTheLastWholeLine) {
   const std::size_t columns = stored().info.sensors.size();
-  std::string text = fmt::format("t [s],{}", fmt::join(stored().info.sensors, ","));
+  std::string text = fmt::format("t [s],{}", fmt::join(test::headers(stored().info.sensors), ","));
   for (const char* time : {"0.000000", "0.001000", "0.00"}) {
     text += fmt::format("\n{}", time);
     for (std::size_t k = 0; k < columns; ++k) text += fmt::format(",{}", k);

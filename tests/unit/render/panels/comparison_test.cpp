@@ -54,7 +54,7 @@ TEST(ComparedCurves, AreOnePlotToASensorWithACurveOfEachRun) {
 
 TEST(ComparedCurves, FindTheirSensorWhereverItStandsAndAreAsLongAsTheLongestRun) {
   auto variants = test::variants(box, 2);
-  variants[1].run.sensors = {"eta_left [m]"};
+  variants[1].run.sensors = {variants[0].run.sensors[1]};
   variants[1].run.end = 20;
   const auto curves = compared_curves(variants, Look{});
   EXPECT_EQ(curves[0].traces[0].column, 1u);

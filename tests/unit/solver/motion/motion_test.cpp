@@ -6,8 +6,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/unit/headers.hpp"
+
 namespace seiche::solver {
 namespace {
+
+std::vector<std::string> headers_of(const Parameters::Motion& m) {
+  return seiche::test::headers(motion_columns(m, {1, 1, 1}));
+}
 
 constexpr double amplitude = 0.005, frequency = 1.25, omega = 2 * std::numbers::pi * frequency;
 constexpr double degree = std::numbers::pi / 180;
@@ -64,7 +70,7 @@ TEST(Rest, IsWhateverElseIsGiven) {
   EXPECT_EQ(rest.surge(0.1).value, 0);
   EXPECT_EQ(rest.roll(0.1).rate, 0);
   EXPECT_EQ(rest.fastest(1), 0);
-  EXPECT_TRUE(motion_columns(m).empty());
+  EXPECT_TRUE(headers_of(m).empty());
 }
 
 TEST(Pose, CarriesPointsToWhereTheyAreAndFastestAndExtentBoundThem) {
@@ -105,9 +111,9 @@ TEST(Pose, HasTheRatesOfItsPositions) {
 }
 
 TEST(MotionColumns, AreOfWhatMovesAndHaveTheirValues) {
-  EXPECT_EQ(motion_columns({.type = "surge"}), std::vector<std::string>{"surge [m]"});
-  EXPECT_EQ(motion_columns({.type = "roll"}), std::vector<std::string>{"roll [deg]"});
-  EXPECT_EQ(motion_columns(everything()), (std::vector<std::string>{"surge [m]", "heave [m]", "roll [deg]"}));
+  EXPECT_EQ(headers_of({.type = "surge"}), std::vector<std::string>{"surge [m]"});
+  EXPECT_EQ(headers_of({.type = "roll"}), std::vector<std::string>{"roll [deg]"});
+  EXPECT_EQ(headers_of(everything()), (std::vector<std::string>{"surge [m]", "heave [m]", "roll [deg]"}));
   std::vector<double> values{7};
   const Motion m(everything());
   m.append(0.2, values);
@@ -128,7 +134,7 @@ TEST(MotionFile, IsFollowedAndMovesOnlyItsColumns) {
   EXPECT_NEAR(motion.heave(0.55).value, 0.01 * 5.5 * 5.5, 1e-14);
   EXPECT_NEAR(motion.roll(0.55).rate, 30 * degree, 1e-13);
   EXPECT_EQ(motion.surge(0.55).value, 0);
-  EXPECT_EQ(motion_columns(m), (std::vector<std::string>{"heave [m]", "roll [deg]"}));
+  EXPECT_EQ(headers_of(m), (std::vector<std::string>{"heave [m]", "roll [deg]"}));
   EXPECT_NEAR(motion.extent({}, {1, 0, 0})[1], 1 + std::sin(30 * degree), 1e-12) << "heave, and the far end's rise";
 }
 
