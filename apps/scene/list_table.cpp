@@ -5,11 +5,22 @@ namespace {
 
 constexpr double huge = 1000;  // Above any tank [m].
 
+// The access to an enum of a list's tables by its values' names.
+template <auto member>
+ChosenInRow chosen() {
+  using E = std::remove_cvref_t<decltype(member(std::declval<Scene&>(), 0))>;
+  return {[](const Scene& s, std::size_t k) { return std::string(name(member(s, k))); },
+          [](Scene& s, std::size_t k, std::string_view text) { member(s, k) = value_named<E>(text); }};
+}
+
 }  // namespace
 
 // clang-format off: one key a line reads as the table that it is
 #define ROWS(rows) +[](const Scene& s) { return s.rows.size(); }, +[](Scene& s, std::size_t n) { s.rows.assign(n, {}); }
 #define AT(rows, member) +[](Scene& s, std::size_t k) -> decltype((s.rows[k].member)) { return s.rows[k].member; }
+#define CHOICE(rows, member)                                                \
+  chosen < [](auto& s, std::size_t k) -> auto& { return s.rows[k].member; } \
+  > (), names<decltype(Scene().rows[0].member)>()
 const std::vector<List>& lists() {
   static const std::vector<List> table{
       {"motion",
@@ -34,7 +45,9 @@ const std::vector<List>& lists() {
            {"y", "m", AT(parameters.sensors.pressure, y), Range{0, huge}, "from the floor"},
            {"z", "m", AT(parameters.sensors.pressure, z), Range{0, huge}, "from the near wall"},
            {"side", "m", AT(parameters.sensors.pressure, side), Range{0, huge},
-            "of the square that it averages over, centred on the point; 0: the point"},
+            "of the square that it reads, centred on the point; 0: the point"},
+           {"reading", "", CHOICE(parameters.sensors.pressure, reading),
+            "what it makes of the square: column \"p_NAME [Pa]\" or \"p_max_NAME [Pa]\""},
        }},
       {"sensors",
        "gauge",
@@ -60,6 +73,7 @@ const std::vector<List>& lists() {
   };
   return table;
 }
+#undef CHOICE
 #undef AT
 #undef ROWS
 // clang-format on

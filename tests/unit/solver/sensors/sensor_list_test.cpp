@@ -63,6 +63,19 @@ TEST(SensorColumns, SayWhatTheyAreWhereTheyRestAndHowFarTheyGo) {
   expect("y_mass", "y mass", ColumnKind::centre, Rest::first_value, 0.05);
 }
 
+TEST(SensorColumns, TellAMaximumFromAMean) {
+  Parameters p;
+  p.sensors.pressure = {{"roof", 0.3, 0.4, 0, 0.1, PressureReading::maximum}, {"roof", 0.3, 0.4, 0, 0.1}};
+  const auto columns = sensor_columns(p);
+  EXPECT_EQ(header(columns[0]), "p_max_roof [Pa]");
+  EXPECT_EQ(columns[0].title, "maximum pressure, roof");
+  EXPECT_EQ(columns[0].kind, ColumnKind::pressure);
+  EXPECT_EQ(columns[1].name, "p_roof");
+  EXPECT_NO_THROW(check_parameters(p)) << "one place may have both";
+  p.sensors.pressure[1].name = "max_roof";
+  expect_refused(p, {"'p_max_roof [Pa]'", "name of its own"});
+}
+
 TEST(SensorColumns, HaveAScaleWithoutWeight) {
   Parameters p;
   p.gravity = 0;
