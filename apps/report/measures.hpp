@@ -42,7 +42,7 @@ struct Measured {
 Measured measured_sensors(const StoredRun& run);
 
 /// @param references of the elevation
-Measures measures_of(const ReportRun& run, const Measured& sensors, const std::vector<render::Reference>& references);
+Measures measures_of(const ReportRun& one, const Measured& sensors, const std::vector<render::Reference>& references);
 
 /// The first crests of a reference, or of a run without one, `most` at most. One lies between a rise above `least` and
 /// a fall below minus that, so that noise makes none; a wave that hasn't fallen yet has none.
