@@ -39,8 +39,8 @@ struct Ffmpeg {
 };
 Ffmpeg find_ffmpeg();
 
-/// Throws NoEncoder when `file`'s ending (.mp4 .webm .gif) can't be encoded here, std::invalid_argument for an unknown
-/// ending or a size that the codec refuses (odd width or height in .mp4 and .webm). Call it before the first step.
+/// Throws NoEncoder when the movie's format can't be encoded here, std::invalid_argument for an unknown suffix or a
+/// size that the format can't have (movie_format.hpp). Call it before the first step.
 void check_movie(const std::filesystem::path& file, int width, int height);
 
 /// Takes each finished picture; the same one goes to every taker, so that nothing is drawn twice.
@@ -56,7 +56,7 @@ class ImageSink {
 /// chunks.
 std::unique_ptr<ImageSink> png_series(const std::filesystem::path& folder);
 
-/// A movie streamed to the ffmpeg program while the run goes on; by ending: .mp4 (H.264), .webm (VP9), .gif.
+/// A movie streamed to the ffmpeg program while the run goes on; its format by the suffix of its name.
 /// A movie that is cut short, even by kill -9, still plays.
 std::unique_ptr<ImageSink> movie(const std::filesystem::path& file);
 

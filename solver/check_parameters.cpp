@@ -49,9 +49,9 @@ void check_parameters(const Parameters& p) {
   if (p.fluid.column > p.tank.length)
     throw BadParameters(
         fmt::format("fluid.column = {:.6g} m is more than tank.length = {:.6g} m", p.fluid.column, p.tank.length));
-  if (p.fluid.wave_amplitude > 0 && p.fluid.column > 0)
+  if (p.fluid.wave_amplitude != 0 && p.fluid.column > 0)
     throw BadParameters("fluid.wave_amplitude needs liquid in the whole tank: leave fluid.column out");
-  if (p.fluid.wave_amplitude > 0 && 4 * l0 * p.fluid.wave_mode > p.tank.length)
+  if (p.fluid.wave_amplitude != 0 && 4 * l0 * p.fluid.wave_mode > p.tank.length)
     throw BadParameters(
         fmt::format("fluid.wave_mode = {} makes half a wave {:.3g} spacings long; a run needs 4 at least",
                     p.fluid.wave_mode, p.tank.length / (p.fluid.wave_mode * l0)));

@@ -46,7 +46,7 @@ int simulate(const Scene& scene, const OutputFolder& folder, Simulation& simulat
   const Statistics& totals = simulation.statistics();
   const RunRecord record{ending, totals, {totals.seconds, outputs.seconds(), ending.waited, watch.seconds()}};
   write_run_json(folder.record(), scene, record);
-  if (scene.output.report)
+  if (scene.writes(OutputKind::report))
     write_report(folder.report(),
                  report_of(read_run(folder.path), report::command_text({"run", request.scene}, request.overrides)));
   print_closing(scene, folder, record, request.quiet);

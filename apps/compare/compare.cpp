@@ -45,7 +45,7 @@ std::string command_of(const Request& request) {
   std::vector<std::string> words{"compare"};
   words.insert(words.end(), request.what.begin(), request.what.end());
   for (const std::string& each : request.vary) words.insert(words.end(), {"--vary", each});
-  if (request.movie != Request{}.movie) words.insert(words.end(), {"--movie", request.movie});
+  if (request.movie != Request{}.movie) words.insert(words.end(), {"--movie", std::string(seiche::name(request.movie))});
   if (request.size != Request{}.size) words.insert(words.end(), {"--size", request.size});
   return report::command_text(words, request.settings);
 }

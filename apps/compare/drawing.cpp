@@ -88,23 +88,23 @@ render::Range united(const std::optional<render::Range>& a, render::Range b) {
 
 // Of all pictures; nothing where each has its own. A run that blows up would leave no colour for the others.
 std::optional<render::Range> common_range(const std::vector<ComparedRun>& runs, const render::Look& look) {
-  if (const auto given = render::parse_range(look.range)) return given;
-  const render::Quantity quantity = render::quantity_of(look.quantity);
+  if (look.range.source == render::RangeSource::given) return look.range.given;
   const bool all = std::all_of(runs.begin(), runs.end(), has_failed);
   std::optional<render::Range> range;
   for (const ComparedRun& run : runs) {
     if (const auto fixed = render::fixed_range(run.run.info, look)) {
       range = united(range, *fixed);
-    } else if (look.range == "run" && (all || !has_failed(run))) {
+    } else if (look.range.source == render::RangeSource::run && (all || !has_failed(run))) {
       for (const StoredFrame& each : run.frames)
-        range = united(range, render::rounded(render::fluid_range(render::read_vtu(each.file, each.index), quantity)));
+        range =
+            united(range, render::rounded(render::fluid_range(render::read_vtu(each.file, each.index), look.quantity)));
     }
   }
   return range;
 }
 
 // Of one picture, by those that still go on.
-render::Range range_of(const std::vector<render::PanelFrame>& frames, render::Quantity quantity) {
+render::Range range_of(const std::vector<render::PanelFrame>& frames, Quantity quantity) {
   const bool all = std::all_of(frames.begin(), frames.end(), [](const auto& each) { return each.ended; });
   std::optional<render::Range> range;
   for (const render::PanelFrame& each : frames)
@@ -114,7 +114,7 @@ render::Range range_of(const std::vector<render::PanelFrame>& frames, render::Qu
 
 // Readings are written before the frame that they lead up to.
 void check_readings(const ComparedRun& run) {
-  if (!run.run.scene.output.probes || run.run.info.sensors.empty()) return;
+  if (!run.run.scene.writes(OutputKind::probes) || run.run.info.sensors.empty()) return;
   const auto& times = run.readings.time;
   const double read = times.empty() ? 0 : times.back() + 2 / run.run.scene.output.probe_rate;
   if (read < last_time(run))
@@ -195,8 +195,7 @@ bool draw(const std::vector<ComparedRun>& runs, const render::Look& look, const 
     now.time = clock.time(number);
     std::vector<render::PanelFrame> frames;
     for (Reel& reel : reels) frames.push_back(reel.at(now.time, clock.interval));
-    const render::Image image =
-        comparison.draw(now.time, frames, fixed ? *fixed : range_of(frames, render::quantity_of(look.quantity)));
+    const render::Image image = comparison.draw(now.time, frames, fixed ? *fixed : range_of(frames, look.quantity));
     for (const auto& taker : takers) taker->image(image, now);
     going = told(number, clock.last) || number == clock.last;
   }

@@ -28,7 +28,7 @@ int replay(const ReplayRequest& request) {
   const PictureFolder folder{request.output.empty() ? own.drawn_again() : request.output, own.scene};
   check_stranger(folder.path, own);
   folder.check(request.overwrite);
-  if (request.movie != "none")
+  if (request.movie != render::MovieFormat::none)
     render::check_movie(folder.movie(request.movie), replay.scene.look.width, replay.scene.look.height);
   render::gl_description();
 
@@ -36,7 +36,7 @@ int replay(const ReplayRequest& request) {
   std::vector<std::unique_ptr<render::ImageSink>> takers;
   takers.push_back(render::png_series(folder.path));
   std::vector<Place> places{{"pictures", folder.path / ""}};
-  if (request.movie != "none") {
+  if (request.movie != render::MovieFormat::none) {
     takers.push_back(render::movie(folder.movie(request.movie)));
     places.emplace_back("movie", folder.movie(request.movie));
   }

@@ -93,7 +93,7 @@ std::vector<StoredFrame> asked_for(const ReplayRequest& request, std::vector<Sto
 
 // Whether the run has pictures, or will have. Where one is missing, all are drawn anew, or can't be.
 bool has_pictures(const ReplayRequest& request, const StoredRun& run) {
-  if (request.latest && !run.record.ending) return run.scene.output.pictures;
+  if (request.latest && !run.record.ending) return run.scene.writes(OutputKind::pictures);
   const auto pictures = asked_for(request, listed_pictures(run)), frames = asked_for(request, stored_frames(run));
   if (!std::ranges::includes(pictures, frames, {}, &StoredFrame::index, &StoredFrame::index)) return false;
   const auto apart = [](const StoredFrame& a, const StoredFrame& b) { return b.index != a.index + 1; };
@@ -112,8 +112,9 @@ int replay_movie(const ReplayRequest& request) {
   const Stopwatch watch;
   const Replay replay = set_up(request);
   const OutputFolder own{request.run, replay.scene.name};
-  const fs::path file =
-      request.output.empty() ? PictureFolder{own.drawn_again(), own.scene}.movie("mp4") : request.output;
+  const fs::path file = request.output.empty()
+                            ? PictureFolder{own.drawn_again(), own.scene}.movie(render::MovieFormat::mp4)
+                            : request.output;
   const SignalWatch signals;
   const bool decoded = request.look.empty() && has_pictures(request, replay.run);
   FrameList list = list_files(request, replay.run, decoded ? listed_pictures : stored_frames, signals);

@@ -1,12 +1,6 @@
 #include "apps/scene/lists.hpp"
 
 namespace seiche::apps {
-namespace {
-
-constexpr double huge = 1000;  // Above any tank [m].
-
-}  // namespace
-
 // clang-format off: one key a line reads as the table that it is
 #define ROWS(rows) +[](const Scene& s) { return s.rows.size(); }, +[](Scene& s, std::size_t n) { s.rows.assign(n, {}); }
 #define AT(rows, member) +[](Scene& s, std::size_t k) -> decltype((s.rows[k].member)) { return s.rows[k].member; }
@@ -19,7 +13,7 @@ const std::vector<List>& lists() {
        {
            {"of", "", AT(parameters.motion.harmonics, of), Choices{"surge", "heave", "roll"},
             "along x, along y, or about the pivot from x towards y"},
-           {"amplitude", "m; roll: degrees", AT(parameters.motion.harmonics, amplitude), Range{-100, 100}, ""},
+           {"amplitude", "m; roll: degrees", AT(parameters.motion.harmonics, amplitude), amplitudes, ""},
            {"frequency", "Hz", AT(parameters.motion.harmonics, frequency), Range{0, 100}, ""},
            {"phase", "degrees", AT(parameters.motion.harmonics, phase), Range{-360, 360}, "at t = 0"},
        }},

@@ -18,6 +18,12 @@ struct Range {
   bool above_low = false;  ///< low itself is refused
 };
 
+/// Above any tank [m]; catches millimetres given as metres.
+constexpr double huge = 1000;
+
+/// Of a motion or a wave; one that is negative has the opposite phase [m], roll [degrees].
+constexpr Range amplitudes{-100, 100};
+
 /// Words that a key takes.
 using Choices = std::vector<std::string_view>;
 

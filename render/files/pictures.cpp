@@ -17,13 +17,13 @@ class Pictures : public Sink {
   Pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers, std::filesystem::path folder)
       : look_(look), takers_(std::move(takers)), folder_(std::move(folder)) {
     check_look(look_);
-    quantity_ = quantity_of(look_.quantity);
+    quantity_ = look_.quantity;
   }
 
   void begin(const RunInfo& run) override {
     painter_.emplace(run, look_);
     fixed_ = fixed_range(run, look_);
-    if (look_.range == "run" && !fixed_) spool_.emplace(folder_);
+    if (look_.range.source == RangeSource::run && !fixed_) spool_.emplace(folder_);
     for (const auto& taker : takers_) taker->begin(run, look_.width, look_.height);
   }
 

@@ -22,6 +22,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "solver/quantity.hpp"
+
 namespace seiche::render {
 namespace {
 
@@ -72,6 +74,8 @@ class Arrays {
       throw std::runtime_error(fmt::format("{} has no {} as Seiche writes it", where_, name));
     return array;
   }
+
+  bool has(const char* name) const { return data_->GetAbstractArray(name) != nullptr; }
 
   /// One number for each particle, or `columns` of them.
   template <class Array, class Value>
@@ -127,6 +131,11 @@ Frame read_vtu(const std::filesystem::path& file, long index) {
   points.copy<vtkUnsignedCharArray>("kind", frame.kind, n);
   points.copy<vtkUnsignedCharArray>("free_surface", frame.free_surface, n);
   points.copy<vtkUnsignedIntArray>("id", frame.id, n);
+  for (const QuantityRow& row : ChoiceTable<Quantity>::rows) {
+    const std::string name(row.name);
+    if (row.of || !points.has(name.c_str())) continue;
+    points.copy<vtkFloatArray>(name.c_str(), frame.derived.emplace_back(row.value).values, n);
+  }
   return frame;
 }
 

@@ -99,7 +99,7 @@ vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(const Disc& disc) {
 
 Particles::Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke,
                      double finest)
-    : quantity_(quantity_of(look.quantity)), map_(look.colour_map) {
+    : quantity_(look.quantity), map_(look.colour_map) {
   if (run.dimension == 3)
     make_spheres(renderer, run, look, scale, stroke);
   else
@@ -107,7 +107,7 @@ Particles::Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look
 }
 
 void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke) {
-  const double radius = run.spacing * (look.style == "dot" ? 0.28 : 0.5);
+  const double radius = run.spacing * (look.style == Style::dot ? 0.28 : 0.5);
   vtkNew<vtkOpenGLSphereMapper> mapper;
   mapper->SetRadius(static_cast<float>(radius));
   fluid_ = std::make_unique<Layer>(renderer, mapper);
@@ -128,7 +128,7 @@ void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Lo
 
 void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke,
                            double finest) {
-  const bool dots = look.style == "dot";
+  const bool dots = look.style == Style::dot;
   const auto discs = [&](const Disc& disc) {
     auto layer = std::make_unique<Layer>(renderer, disc_mapper(disc));
     layer->actor->GetProperty()->LightingOff();
@@ -145,7 +145,7 @@ void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look
   if (look.show_walls) {
     const bool square = closed > 0;
     // Squares stay upright; where the tank may roll they overlap, lest gaps show between them up to 10 degrees.
-    const double overlap = look.view == "lab" ? 1.16 : 1;
+    const double overlap = look.view == ReferenceFrame::lab ? 1.16 : 1;
     dummy_ = discs({.radius = half * overlap, .layer = -2, .square = square});
     wall_ = discs({.radius = half, .layer = -1, .square = square});
   }

@@ -6,8 +6,8 @@ namespace seiche::render {
 
 SurfaceSign surface_sign(const Look& look) {
   if (look.show_surface_line) return SurfaceSign::line;
-  if (!look.show_surface || quantity_of(look.quantity) == Quantity::free_surface) return SurfaceSign::none;
-  return look.style == "smooth" ? SurfaceSign::line : SurfaceSign::rings;
+  if (!look.show_surface || look.quantity == Quantity::free_surface) return SurfaceSign::none;
+  return look.style == Style::smooth ? SurfaceSign::line : SurfaceSign::rings;
 }
 
 }  // namespace seiche::render

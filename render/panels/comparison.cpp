@@ -73,7 +73,7 @@ Comparison::Stage::Stage(const std::vector<Variant>& variants, const Look& look,
                          const std::vector<PanelFrame>& frames, Range range)
     : strip(curves) {
   const Palette colours = palette_of_several(look.background);
-  const Quantity quantity = quantity_of(look.quantity);
+  const Quantity quantity = look.quantity;
   const View view = view_of(variants, look, frames);
   RunInfo longest = variants.front().run;
   for (const Variant& variant : variants) longest.end = std::max(longest.end, variant.run.end);
@@ -137,7 +137,7 @@ Image Comparison::draw(double time, const std::vector<PanelFrame>& frames, Range
     stage_->panels[i]->show(frames[i], range,
                             variants_[i].failed ? "" : note_of(measured(curves_), i, time, stage_->wording));
     if (frames[i].ended) continue;
-    const Range pressures = fluid_range(*frames[i].frame, quantity_of(look_.quantity));
+    const Range pressures = fluid_range(*frames[i].frame, look_.quantity);
     found = {std::min(found.low, pressures.low), std::max(found.high, pressures.high)};
   }
   if (stage_->bar) stage_->bar->show(range, found);

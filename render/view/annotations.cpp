@@ -34,7 +34,7 @@ std::string caption_of(const RunInfo& run) {
 
 // What the colours tell needs no second word.
 bool Annotations::keyed_wall() const {
-  return look_.show_walls && run_.dimension == 2 && quantity_of(look_.quantity) != Quantity::kind;
+  return look_.show_walls && run_.dimension == 2 && look_.quantity != Quantity::kind;
 }
 
 double Annotations::marks_width() const {

@@ -39,7 +39,7 @@ struct Painter::Stage {
 Painter::Stage::Stage(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves, const Frame& first)
     : strip(curves) {
   const Palette colours = palette(look.background);
-  const Quantity quantity = quantity_of(look.quantity);
+  const Quantity quantity = look.quantity;
   const View view(run.dimension, room_of(run, look, first));
   words.emplace(run, look, caption_of(run), round_below(0.25 * view.width()));
 
@@ -79,7 +79,7 @@ void Painter::record(const Readings& readings) {
 Image Painter::draw(const Frame& frame, Range range) {
   if (!stage_) stage_ = std::make_unique<Stage>(run_, look_, curves_, frame);
   stage_->tank->show(frame, range);
-  if (stage_->bar) stage_->bar->show(range, fluid_range(frame, quantity_of(look_.quantity)));
+  if (stage_->bar) stage_->bar->show(range, fluid_range(frame, look_.quantity));
   stage_->words->set_time(frame.time);
   stage_->strip.show(frame.time);
   stage_->window->Render();

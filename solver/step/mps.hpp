@@ -18,6 +18,7 @@
 #include "solver/pressure/surface_pressure.hpp"
 #include "solver/sensors/sensors.hpp"
 #include "solver/simulation.hpp"
+#include "solver/step/derived.hpp"
 #include "solver/step/run_state.hpp"
 #include "solver/step/snapshot.hpp"
 #include "solver/step/watch.hpp"

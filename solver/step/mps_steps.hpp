@@ -35,7 +35,7 @@ Mps<D>::Mps(const Parameters& p, double sample_interval)
   refresh_neighbours();
   measure_pairs();
   find_surface();
-  if (const StandingWave wave(p); p.fluid.wave_amplitude > 0)
+  if (const StandingWave wave(p); p.fluid.wave_amplitude != 0)
     each_fluid([&](int i) { s_.velocity[i] = wave.velocity<D>(s_.position[i]); });
   if (motion_.jumps()) start_at_rest_in_lab();
   run_.fastest = watch_.check_motion(s_);
@@ -47,6 +47,9 @@ FramePtr Mps<D>::frame(long index) {
   auto frame = snapshot(s_, density_range_.ref.n0, motion_);
   frame->index = index;
   frame->readings = std::exchange(run_.sensors.readings, {});
+  Pairs<D> pairs;  // the state's are those of the step's start
+  std::visit([&](auto w) { pairs.measure(w, list_, s_); }, gradient_range_.w);
+  derive(pairs, gradient_range_.ref.n0, s_, *frame);
   return frame;
 }
 

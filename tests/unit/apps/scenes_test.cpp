@@ -37,7 +37,7 @@ TEST(Scenes, ThoseToBeTimedTakeStepsOfOneLengthAndWriteNothing) {
     EXPECT_NEAR(p.fluid.column * p.fluid.depth / (p.particles.spacing * p.particles.spacing), particles, 1e-6) << name;
     EXPECT_NEAR(p.time.end / p.time.step, steps, 1e-9) << name;
     EXPECT_NEAR(p.time.end * scene.output.frame_rate, 1, 1e-12) << name << ": no frame but the first and the last";
-    EXPECT_FALSE(scene.draws() || scene.samples() || scene.output.vtu) << name;
+    EXPECT_FALSE(scene.draws() || scene.samples() || scene.writes(OutputKind::vtu)) << name;
   }
 }
 

@@ -31,6 +31,11 @@ inline void expect_same_frame(const Frame& a, const Frame& b) {
   expect_same_bits(a.kind, b.kind, "kind");
   expect_same_bits(a.free_surface, b.free_surface, "free_surface");
   expect_same_bits(a.id, b.id, "id");
+  ASSERT_EQ(a.derived.size(), b.derived.size());
+  for (std::size_t k = 0; k < a.derived.size(); ++k) {
+    EXPECT_EQ(a.derived[k].quantity, b.derived[k].quantity);
+    expect_same_bits(a.derived[k].values, b.derived[k].values, "derived");
+  }
 }
 
 }  // namespace seiche::test

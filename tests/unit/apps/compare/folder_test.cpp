@@ -76,12 +76,12 @@ TEST(FolderLock, IsNoneWhereAFileIsInTheWay) {
 TEST(Draft, ReplacesWhatWasThereOnlyWhenItIsPublished) {
   const Scratch scratch;
   const OutputFolder files = files_in(scratch.folder());
-  write_text(files.movie("gif"), "old");
+  write_text(files.movie(render::MovieFormat::gif), "old");
   write_text(files.frames() / "000007.png", "old");
   write_text(files.frames() / "notes.txt", "mine");
   write_text(scratch / "KF1/run.json", "{}");
   const auto draw = [](const Draft& draft) {
-    write_text(draft.files().movie("mp4"), "new");
+    write_text(draft.files().movie(render::MovieFormat::mp4), "new");
     write_text(draft.files().frames() / "000000.png", "new");
   };
   const auto left = [&] { return std::distance(fs::directory_iterator(scratch.folder()), fs::directory_iterator()); };
@@ -89,16 +89,16 @@ TEST(Draft, ReplacesWhatWasThereOnlyWhenItIsPublished) {
     Draft draft(scratch.folder());
     draw(draft);
   }
-  EXPECT_EQ(test::read_file(files.movie("gif")), "old");
+  EXPECT_EQ(test::read_file(files.movie(render::MovieFormat::gif)), "old");
   EXPECT_EQ(left(), 3) << "no trace of it";
   {
     Draft draft(scratch.folder());
     draw(draft);
     draft.publish();
   }
-  EXPECT_EQ(test::read_file(files.movie("mp4")), "new");
+  EXPECT_EQ(test::read_file(files.movie(render::MovieFormat::mp4)), "new");
   EXPECT_EQ(test::read_file(files.frames() / "000000.png"), "new");
-  EXPECT_FALSE(fs::exists(files.movie("gif")));
+  EXPECT_FALSE(fs::exists(files.movie(render::MovieFormat::gif)));
   EXPECT_FALSE(fs::exists(files.frames() / "000007.png"));
   EXPECT_TRUE(fs::exists(files.frames() / "notes.txt"));
   EXPECT_TRUE(fs::exists(scratch / "KF1/run.json"));

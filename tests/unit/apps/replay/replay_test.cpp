@@ -79,7 +79,7 @@ TEST(Replay, LooksOtherwiseIfAsked) {
   tank.close();
   ReplayRequest request = asked(tank, {"look.colour_map=turbo", "output.size=400x300"});
   request.frames.first = 2;
-  request.movie = "gif";
+  request.movie = render::MovieFormat::gif;
   ASSERT_EQ(replay(request), done);
   const fs::path folder = tank.folder().drawn_again();
   EXPECT_FALSE(fs::exists(folder / number(1)));

@@ -23,7 +23,7 @@ TEST(LookChange, ChangesHowARunLooks) {
                       {"--size 640x480", "output.size", "640x480"},
                       parse_set("look.walls=false"),
                       parse_set("look.curves=eta_left")});
-  EXPECT_EQ(scene.look.colour_map, "turbo");
+  EXPECT_EQ(scene.look.colour_map, render::ColourMapName::turbo);
   EXPECT_EQ(scene.look.width, 640);
   EXPECT_FALSE(scene.look.show_walls);
   EXPECT_EQ(scene.look.curves, "eta_left");
@@ -33,7 +33,7 @@ TEST(LookChange, ARangeGoesWithItsQuantity) {
   const auto range_after = [](const std::vector<Override>& overrides) {
     Scene scene = parse_scene("look.range = \"0,2500\"\n", "x.toml", {});
     change_look(scene, overrides);
-    return scene.look.range;
+    return render::text_of(scene.look.range);
   };
   EXPECT_EQ(range_after({}), "0,2500");
   EXPECT_EQ(range_after({parse_set("look.quantity=pressure")}), "0,2500");

@@ -145,8 +145,7 @@ TEST(SceneFile, AnEmptyFileIsReadAndAFolderIsNot) {
 TEST(Overrides, NameTheFlagAtFault) {
   EXPECT_EQ(errors_of("", {parse_set("amplitde=3")}),
             "--set amplitde=3: unknown key 'amplitde'; did you mean 'motion.amplitude'?");
-  EXPECT_EQ(errors_of("", {parse_set("depth=3")}),
-            "--set depth=3: unknown key 'depth'; did you mean 'fluid.depth'?");
+  EXPECT_EQ(errors_of("", {parse_set("depth=3")}), "--set depth=3: unknown key 'depth'; did you mean 'fluid.depth'?");
   EXPECT_EQ(errors_of("", {{"--spacing big", "particles.spacing", "big"}}),
             "--spacing big: [particles] spacing = 'big' is no number; expected a number above 0, up to 10 [m]");
   EXPECT_EQ(errors_of("", {parse_set("time.end=inf")}),
@@ -158,8 +157,8 @@ TEST(Overrides, TextNeedsNoQuotes) {
                                   {parse_set("method.kernel=KF1"), parse_set("look.range=-100,3000"),
                                    parse_set("output.vtu=false"), parse_set("pressure.tolerance=1e-6")});
   EXPECT_EQ(scene.parameters.method.kernel, "KF1");
-  EXPECT_EQ(scene.look.range, "-100,3000");
-  EXPECT_FALSE(scene.output.vtu);
+  EXPECT_EQ(render::text_of(scene.look.range), "-100,3000");
+  EXPECT_FALSE(scene.writes(OutputKind::vtu));
   EXPECT_EQ(scene.parameters.pressure.tolerance, 1e-6);
 }
 

@@ -20,7 +20,7 @@ Look one_curve() {
   look.width = 640;
   look.height = 360;
   look.curves = "eta_left";
-  look.colour_map = "turbo";  // has nothing of the curve's blue in the rows below the tank
+  look.colour_map = ColourMapName::turbo;  // has nothing of the curve's blue in the rows below the tank
   return look;
 }
 

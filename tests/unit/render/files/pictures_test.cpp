@@ -132,7 +132,7 @@ TEST(Pictures, ATakerThatFailsAtTheEndKeepsNoOtherFromEnding) {
 
 TEST(Pictures, HaveTheSizeAndTheBackground) {
   Look look = small();
-  const auto corner = [&](const char* background) {
+  const auto corner = [&](Background background) {
     look.background = background;
     const Image image = draw(look, {test::lattice(box, 0)}).images.at(0);
     EXPECT_EQ(image.width, 480);
@@ -140,9 +140,9 @@ TEST(Pictures, HaveTheSizeAndTheBackground) {
     EXPECT_EQ(image.rgba.size(), 480u * 270u * 4u);
     return std::vector<int>(image.rgba.begin(), image.rgba.begin() + 4);
   };
-  EXPECT_EQ(corner("white"), (std::vector<int>{255, 255, 255, 255}));
-  EXPECT_EQ(corner("black"), (std::vector<int>{0, 0, 0, 255}));
-  EXPECT_EQ(corner("transparent")[3], 0);
+  EXPECT_EQ(corner(Background::white), (std::vector<int>{255, 255, 255, 255}));
+  EXPECT_EQ(corner(Background::black), (std::vector<int>{0, 0, 0, 255}));
+  EXPECT_EQ(corner(Background::transparent)[3], 0);
 }
 
 TEST(Pictures, SameFrameSameBytes) {
@@ -170,11 +170,11 @@ TEST(Pictures, FixedRangesDrawHalfThePressureInAnotherColourAndTheFramesOwnDoesN
   look.show_bar = look.show_clock = look.show_surface = false;
   const std::vector<FramePtr> frames{scaled(1, 0), scaled(0.5f, 1)};
   for (const char* range : {"scene", "0,1000"}) {
-    look.range = range;
+    look.range = parse_range(range);
     const auto drawn = draw(look, frames).images;
     EXPECT_NE(drawn.at(0).rgba, drawn.at(1).rgba) << range;
   }
-  look.range = "frame";
+  look.range = parse_range("frame");
   const std::vector<FramePtr> powers{scaled(1, 0), scaled(0.1f, 1)};  // whose round ranges are alike as well
   const auto drawn = draw(look, powers).images;
   std::size_t apart = 0;
@@ -185,22 +185,22 @@ TEST(Pictures, FixedRangesDrawHalfThePressureInAnotherColourAndTheFramesOwnDoesN
 TEST(Pictures, RunRangeIsDrawnAtTheEndWithOneRangeForAll) {
   Look look = small();
   look.show_clock = false;
-  look.range = "run";
+  look.range = parse_range("run");
   const auto frames = {scaled(0.1f, 0), scaled(1, 1)};
   const Kept run = draw(look, frames);
   ASSERT_EQ(run.images.size(), 2u);
   EXPECT_EQ(run.indices, (std::vector<long>{0, 1}));
-  look.range = "0,500";  // from 5 to 441 Pa, rounded
+  look.range = parse_range("0,500");  // from 5 to 441 Pa, rounded
   const Kept fixed = draw(look, frames);
   EXPECT_EQ(run.images[0].rgba, fixed.images[0].rgba);
   EXPECT_EQ(run.images[1].rgba, fixed.images[1].rgba);
-  look.range = "frame";
+  look.range = parse_range("frame");
   EXPECT_NE(draw(look, frames).images[0].rgba, run.images[0].rgba) << "its own range differs where pressures are small";
 }
 
 TEST(Pictures, SmoothLiquidLeavesNoSprayOut) {
   Look look = small();
-  look.style = "smooth";
+  look.style = Style::smooth;
   const auto still = test::lattice(box, 0);
   auto sprayed = std::make_shared<Frame>(*still);
   const auto fluid = std::find(still->kind.begin(), still->kind.end(), Kind::fluid) - still->kind.begin();
@@ -244,7 +244,7 @@ TEST(Pictures, TankMovesInTheLabAndStandsInItsOwnFrame) {
   const std::vector<FramePtr> frames{test::lattice(box, 0.1), moved};
   auto drawn = draw(look, frames).images;
   EXPECT_EQ(drawn.at(0).rgba, drawn.at(1).rgba);
-  look.view = "lab";
+  look.view = ReferenceFrame::lab;
   drawn = draw(look, frames).images;
   EXPECT_NE(drawn.at(0).rgba, drawn.at(1).rgba);
   const std::array<int, 4> wall{128, 132, 138, 255};
@@ -263,7 +263,7 @@ TEST(Pictures, TankRollsInTheLabAboutItsPivot) {
   const std::vector<FramePtr> frames{test::lattice(box, 0), rolled, raised};
   auto drawn = draw(look, frames).images;
   EXPECT_EQ(drawn.at(0).rgba, drawn.at(1).rgba) << "nothing turns in the tank's own frame";
-  look.view = "lab";
+  look.view = ReferenceFrame::lab;
   drawn = draw(look, frames).images;
   // Upside down about its middle the closed tank covers what it covered, and the liquid is at the top.
   const std::array<int, 4> wall{128, 132, 138, 255};
@@ -288,7 +288,7 @@ TEST(Pictures, TakeFramesWithNanAndWithoutParticles) {
   broken->position[11] = {std::numeric_limits<float>::quiet_NaN(), 0, 0};
   for (const char* range : {"scene", "frame", "run"}) {
     Look look = small();
-    look.range = range;
+    look.range = parse_range(range);
     EXPECT_EQ(draw(look, {std::make_shared<Frame>(), broken}).images.size(), 2u) << range;
   }
 }

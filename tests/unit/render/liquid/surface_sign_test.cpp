@@ -17,7 +17,7 @@ TEST(SurfaceSign, IsOneAlone) {
 
 TEST(SurfaceSign, IsALineWhereThereAreNoParticles) {
   Look look;
-  look.style = "smooth";
+  look.style = Style::smooth;
   EXPECT_EQ(surface_sign(look), SurfaceSign::line);
   look.show_surface = false;
   EXPECT_EQ(surface_sign(look), SurfaceSign::none);
@@ -25,6 +25,6 @@ TEST(SurfaceSign, IsALineWhereThereAreNoParticles) {
 
 TEST(SurfaceSign, IsNotNeededWhereColoursTell) {
   Look look;
-  look.quantity = "free-surface";
+  look.quantity = Quantity::free_surface;
   EXPECT_EQ(surface_sign(look), SurfaceSign::none);
 }
