@@ -20,7 +20,7 @@ void check_look(const Look& look) {
   check_picture_size(look.width, look.height);
   if (look.style == Style::smooth && !classes_of(look.quantity).empty())
     throw std::invalid_argument(fmt::format(
-        "style 'smooth' draws means of numbers, and '{}' is none; choose another quantity, or style disc or dot",
+        "style 'smooth' draws means of numbers, which '{}' hasn't; choose another quantity, or style disc or dot",
         name(look.quantity)));
   named_curves(look.curves);
 }

@@ -30,7 +30,7 @@ struct OutputFolder {
   /// Throws BadFolder where a file stands in the way, or files do and may not be overwritten. Writes nothing.
   void check(bool overwrite) const;
 
-  /// Makes the folder, and takes out what an earlier run of this scene wrote there; a stranger's files stay.
+  /// Makes the folder, and takes out what an earlier run of this scene wrote there; all other files stay.
   void prepare() const;
 };
 

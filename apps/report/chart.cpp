@@ -36,7 +36,7 @@ std::string grid(const Axes& axes) {
   }
   const render::Axis times = render::axis_of({0, axes.end}, time_parts);
   for (std::size_t i = 0; i < times.ticks.size(); ++i) {
-    const std::string x = percent(axes.across(times.ticks[i].place));
+    const std::string x = percent(axes.across(times.ticks[i].position));
     fmt::format_to(out, "<line class=\"tick\" x1=\"{}\" x2=\"{}\" y1=\"100%\" y2=\"100%\"/>", x, x);
     fmt::format_to(out, "<text class=\"time{}\" x=\"{}\" y=\"100%\" dy=\"1.6em\">{}</text>\n", i % 2 == 1 ? " odd" : "",
                    x, times.ticks[i].label);

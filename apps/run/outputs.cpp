@@ -72,10 +72,10 @@ Outputs make_outputs(const Scene& scene, const OutputFolder& folder) {
   for (const Maker& maker : makers)
     if (scene.writes(maker.kind)) outputs.add(std::string(output_row(maker.kind).key), maker.sink(folder));
   if (scene.draws()) {
-    std::vector<std::unique_ptr<render::ImageSink>> takers;
-    if (scene.writes(OutputKind::pictures)) takers.push_back(render::png_series(folder.frames()));
-    if (scene.writes(OutputKind::movie)) takers.push_back(render::movie(folder.movie(scene.output.movie)));
-    outputs.add("pictures", render::pictures(scene.look, std::move(takers), folder.path));
+    std::vector<std::unique_ptr<render::ImageSink>> image_sinks;
+    if (scene.writes(OutputKind::pictures)) image_sinks.push_back(render::png_series(folder.frames()));
+    if (scene.writes(OutputKind::movie)) image_sinks.push_back(render::movie(folder.movie(scene.output.movie)));
+    outputs.add("pictures", render::pictures(scene.look, std::move(image_sinks), folder.path));
   }
   return outputs;
 }

@@ -41,17 +41,17 @@ std::optional<std::string> wrong_word(const Slot& slot, const std::string& word)
   if (std::holds_alternative<Text>(slot.rule)) return {};
   if (std::holds_alternative<Name>(slot.rule)) {
     if (is_name(word)) return {};
-    return refusal(slot, word, "is no name");
+    return refusal(slot, word, "is not a name");
   }
   const Choices& choices = std::get<Choices>(slot.rule);
   if (std::find(choices.begin(), choices.end(), word) != choices.end()) return {};
   const auto guess = nearest(word, {choices.begin(), choices.end()});
-  return refusal(slot, word, "is none of its choices") + (guess ? fmt::format("; did you mean '{}'?", *guess) : "");
+  return refusal(slot, word, "is not one of its choices") + (guess ? fmt::format("; did you mean '{}'?", *guess) : "");
 }
 
 std::optional<std::string> put_text(const Slot& slot, std::string& target, const Value& value) {
   const std::string* word = std::get_if<std::string>(&value);
-  if (!word) return refusal(slot, value, "is no text");
+  if (!word) return refusal(slot, value, "is not text");
   auto complaint = wrong_word(slot, *word);
   if (!complaint) target = *word;
   return complaint;
@@ -65,7 +65,7 @@ std::optional<std::string> put_number(const Slot& slot, Number& target, const Va
   } else if (const auto* real = std::get_if<double>(&value); real && std::is_same_v<Number, double>) {
     number = *real;
   } else {
-    return refusal(slot, value, std::is_same_v<Number, double> ? "is no number" : "is no whole number");
+    return refusal(slot, value, std::is_same_v<Number, double> ? "is not a number" : "is not a whole number");
   }
   if (!std::isfinite(number)) return refusal(slot, value, "is not finite");
   if (!holds(std::get<Range>(slot.rule), number)) return refusal(slot, value, "is out of range");
@@ -75,7 +75,7 @@ std::optional<std::string> put_number(const Slot& slot, Number& target, const Va
 
 std::optional<std::string> put_bool(const Slot& slot, bool& target, const Value& value) {
   const bool* truth = std::get_if<bool>(&value);
-  if (!truth) return refusal(slot, value, "is neither");
+  if (!truth) return refusal(slot, value, "is not a boolean");
   target = *truth;
   return {};
 }

@@ -28,36 +28,36 @@ namespace seiche::render {
 namespace {
 
 // Notes that something went wrong, which VTK would print and go on.
-class Trouble : public vtkCommand {
+class ErrorObserver : public vtkCommand {
  public:
-  static Trouble* New() { return new Trouble; }
+  static ErrorObserver* New() { return new ErrorObserver; }
   void Execute(vtkObject*, unsigned long, void*) override { met = true; }
   bool met = false;
 };
 
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-void watch(vtkObject* object, Trouble* trouble) {
+void watch(vtkObject* object, ErrorObserver* observer) {
   if (!object) return;
-  object->AddObserver(vtkCommand::ErrorEvent, trouble);
-  object->AddObserver(vtkCommand::WarningEvent, trouble);
+  object->AddObserver(vtkCommand::ErrorEvent, observer);
+  object->AddObserver(vtkCommand::WarningEvent, observer);
 }
 
 // Null where VTK can't read the file.
 Grid read_grid(const std::filesystem::path& file) try {
-  vtkNew<Trouble> trouble;
+  vtkNew<ErrorObserver> observer;
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  watch(reader, trouble);
-  watch(reader->GetExecutive(), trouble);
-  reader->SetReaderErrorObserver(trouble);
-  reader->SetParserErrorObserver(trouble);
+  watch(reader, observer);
+  watch(reader->GetExecutive(), observer);
+  reader->SetReaderErrorObserver(observer);
+  reader->SetParserErrorObserver(observer);
   reader->SetFileName(file.c_str());
   reader->UpdateInformation();
-  if (trouble->met) return {};
+  if (observer->met) return {};
   // The decompressor has a voice of its own, and is there only now.
-  if (vtkXMLDataParser* parser = reader->GetXMLParser()) watch(parser->GetCompressor(), trouble);
+  if (vtkXMLDataParser* parser = reader->GetXMLParser()) watch(parser->GetCompressor(), observer);
   reader->Update();
-  return trouble->met ? Grid{} : Grid(reader->GetOutput());
+  return observer->met ? Grid{} : Grid(reader->GetOutput());
 } catch (const std::bad_alloc&) {  // a size that is damaged
   return {};
 }

@@ -76,7 +76,7 @@ struct Arrows::Shapes {
     points->Modified();
     cells->Modified();
     actor->SetVisibility(cells->GetNumberOfCells() > 0);
-    stand(actor, pose, height);
+    set_pose(actor, pose, height);
   }
 };
 

@@ -66,7 +66,7 @@ void SurfaceLine::show(const SmoothField& field, const TankPose& pose) {
   p.grid->Modified();
   p.contour->Update();
   p.actor->SetVisibility(p.contour->GetOutput()->GetNumberOfPoints() > 0);
-  stand(p.actor, pose, p.layer);
+  set_pose(p.actor, pose, p.layer);
 }
 
 }  // namespace seiche::render

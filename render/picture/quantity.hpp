@@ -15,7 +15,7 @@ std::string title_of(Quantity quantity);
 /// the frame was stored by a version that didn't derive the quantity.
 double value_of(Quantity quantity, const Frame& frame, std::size_t particle);
 
-/// One of a few values with a name and a colour of its own, for a quantity that is no number.
+/// One of a few values with a name and a colour of its own, for a quantity that is not a number.
 struct Class {
   const char* name;
   Rgb colour;

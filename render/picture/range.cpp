@@ -23,7 +23,7 @@ RangeChoice parse_range(const std::string& text) {
   for (const auto& [source, name] : sources)
     if (text == name) return {source, {}};
   const auto wrong = [&] {
-    return std::invalid_argument(fmt::format("'{}' is no range; give scene, frame, run or \"min,max\"", text));
+    return std::invalid_argument(fmt::format("unknown range '{}'; expected scene, frame, run or \"min,max\"", text));
   };
   const auto comma = text.find(',');
   if (comma == std::string::npos) throw wrong();

@@ -7,28 +7,28 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/liquid/surface_sign.hpp"
+#include "render/liquid/surface_mark.hpp"
 #include "render/picture/pose.hpp"
 #include "render/picture/tank.hpp"
 
 namespace seiche::render {
 
-Bounds room_of(const RunInfo& run, const Look& look, const Frame& first) {
-  Bounds room{{0, 0, 0}, run.tank};
+Bounds visible_bounds(const RunInfo& run, const Look& look, const Frame& first) {
+  Bounds bounds{{0, 0, 0}, run.tank};
   if (look.show_walls && run.dimension == 2)
     for (std::size_t i = 0; i < first.size(); ++i) {
       if (first.kind[i] == Kind::fluid) continue;
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        room.low[axis] = std::min(room.low[axis], first.position[i][axis] - run.spacing / 2);
-        room.high[axis] = std::max(room.high[axis], first.position[i][axis] + run.spacing / 2);
+        bounds.low[axis] = std::min(bounds.low[axis], first.position[i][axis] - run.spacing / 2);
+        bounds.high[axis] = std::max(bounds.high[axis], first.position[i][axis] + run.spacing / 2);
       }
     }
   if (look.view == ReferenceFrame::lab)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      room.low[axis] -= std::abs(run.excursion[axis]);
-      room.high[axis] += std::abs(run.excursion[axis]);
+      bounds.low[axis] -= std::abs(run.excursion[axis]);
+      bounds.high[axis] += std::abs(run.excursion[axis]);
     }
-  return room;
+  return bounds;
 }
 
 void set_background(vtkRenderer* renderer, const Look& look, Rgb paper) {
@@ -50,7 +50,7 @@ TankView::TankView(vtkRenderer* renderer, const RunInfo& run, const Look& look, 
     for (const auto& part : tank_) renderer->AddActor(part);
   }
   particles_.emplace(renderer, run, look, layout.scale, std::max(1.2, 0.08 * layout.font), finest);
-  const bool smooth = look.style == Style::smooth, lined = surface_sign(look) == SurfaceSign::line;
+  const bool smooth = look.style == Style::smooth, lined = surface_mark(look) == SurfaceMark::line;
   if (smooth || lined) field_.emplace(run, std::max(0.25 * run.spacing, 1 / layout.scale));
   if (smooth) liquid_.emplace(renderer, *field_, ColourMap(look.colour_map));
   if (lined) surface_.emplace(renderer, run, layout.font / layout.scale);
@@ -69,7 +69,7 @@ void TankView::show(const Frame& frame, Range range) {
   if (arrows_) arrows_->show(frame, pose);
   // In 2-D over the liquid, under the marks.
   const double height = run_.dimension == 2 ? 0.5 * Particles::layer_height(run_) : 0;
-  for (const auto& part : tank_) stand(part, pose, height);
+  for (const auto& part : tank_) set_pose(part, pose, height);
 }
 
 }  // namespace seiche::render

@@ -74,7 +74,7 @@ TEST(Similarity, SeesAnotherSurface) {
 
 TEST(Similarity, SeesAnotherColourMap) {
   Look other = sized(640, 360);
-  other.colour_map = "cividis";
+  other.colour_map = ColourMapName::cividis;
   EXPECT_LT(test::similarity(draw(sized(640, 360), sloshing, 0.2), draw(other, sloshing, 0.2)).mean, least_mean);
 }
 

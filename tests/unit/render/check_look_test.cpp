@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+using namespace seiche;
 using namespace seiche::render;
 
 TEST(Look, DefaultsCanBeDrawn) { EXPECT_NO_THROW(check_look(Look{})); }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/frame.hpp"
+#include "solver/quantity.hpp"
 
 namespace seiche::test {
 

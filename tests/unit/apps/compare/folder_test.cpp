@@ -14,25 +14,25 @@ using test::refusal;
 using test::Scratch;
 using test::write_text;
 
-std::vector<Place> places(const Scratch& scratch, const std::vector<std::string>& folders) {
-  std::vector<Place> all;
+std::vector<ShownRun> shown(const Scratch& scratch, const std::vector<std::string>& folders) {
+  std::vector<ShownRun> all;
   for (const std::string& each : folders) all.push_back({each, scratch / each});
   return all;
 }
 
 TEST(CheckFolder, TakesOneThatIsEmptyOrNotThere) {
   const Scratch scratch;
-  EXPECT_EQ(refusal([&] { check_folder(scratch / "c", places(scratch, {"A", "B"}), false); }), "");
+  EXPECT_EQ(refusal([&] { check_folder(scratch / "c", shown(scratch, {"A", "B"}), false); }), "");
   fs::create_directories(scratch / "c");
-  EXPECT_EQ(refusal([&] { check_folder(scratch / "c", places(scratch, {"A", "B"}), false); }), "");
+  EXPECT_EQ(refusal([&] { check_folder(scratch / "c", shown(scratch, {"A", "B"}), false); }), "");
 }
 
 TEST(CheckFolder, TakesTheSameComparisonOrALargerOneAgainButNoOther) {
   const Scratch scratch;
   const fs::path folder = scratch / "c";
-  write_note(folder, places(scratch, {"A", "c/KF1"}));
+  write_note(folder, shown(scratch, {"A", "c/KF1"}));
   const auto asked = [&](const std::vector<std::string>& folders, bool overwrite = false) {
-    return refusal([&] { check_folder(folder, places(scratch, folders), overwrite); });
+    return refusal([&] { check_folder(folder, shown(scratch, folders), overwrite); });
   };
   EXPECT_EQ(asked({"c/KF1", "A"}), "");
   EXPECT_EQ(asked({"c/../A", "B", "c/KF1"}), "");

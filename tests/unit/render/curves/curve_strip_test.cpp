@@ -31,7 +31,7 @@ struct Spot {
 
 // Where the curve's colour is found below the tank; y from the top.
 Spot spot(const Image& image) {
-  const Rgb colour = palette("white").curve;
+  const Rgb colour = palette(Background::white).curve;
   Spot found;
   for (int y = image.height * 3 / 4; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {

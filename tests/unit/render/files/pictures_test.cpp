@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "render/outputs.hpp"
+#include "render/picture/range.hpp"
 #include "render/view/painter.hpp"
 #include "tests/unit/render/synthetic.hpp"
 
@@ -47,9 +48,9 @@ Look small() {
 
 Kept draw(const Look& look, const std::vector<FramePtr>& frames, const test::Box& tank = box) {
   Kept kept;
-  std::vector<std::unique_ptr<ImageSink>> takers;
-  takers.push_back(std::make_unique<Keeper>(kept));
-  const auto sink = pictures(look, std::move(takers), std::filesystem::temp_directory_path());
+  std::vector<std::unique_ptr<ImageSink>> image_sinks;
+  image_sinks.push_back(std::make_unique<Keeper>(kept));
+  const auto sink = pictures(look, std::move(image_sinks), std::filesystem::temp_directory_path());
   sink->begin(test::run_info(tank));
   for (const auto& frame : frames) sink->frame(frame);
   sink->end();
@@ -97,12 +98,12 @@ TEST(GlDeathTest, TooOldNamesThePackage) {
   EXPECT_EXIT(ask(), testing::ExitedWithCode(4), "libosmesa6");
 }
 
-TEST(Pictures, EveryTakerGetsEachFrameOnceAndTheSame) {
+TEST(Pictures, EverySinkGetsEachFrameOnceAndTheSame) {
   Kept first, second;
-  std::vector<std::unique_ptr<ImageSink>> takers;
-  takers.push_back(std::make_unique<Keeper>(first));
-  takers.push_back(std::make_unique<Keeper>(second));
-  const auto sink = pictures(small(), std::move(takers), std::filesystem::temp_directory_path());
+  std::vector<std::unique_ptr<ImageSink>> image_sinks;
+  image_sinks.push_back(std::make_unique<Keeper>(first));
+  image_sinks.push_back(std::make_unique<Keeper>(second));
+  const auto sink = pictures(small(), std::move(image_sinks), std::filesystem::temp_directory_path());
   sink->begin(test::run_info(box));
   for (long index = 0; index < 3; ++index) sink->frame(test::lattice(box, 0.1, index));
   sink->end();
@@ -114,17 +115,17 @@ TEST(Pictures, EveryTakerGetsEachFrameOnceAndTheSame) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(first.images[i].rgba, second.images[i].rgba);
 }
 
-TEST(Pictures, ATakerThatFailsAtTheEndKeepsNoOtherFromEnding) {
+TEST(Pictures, ASinkThatFailsAtTheEndKeepsNoOtherFromEnding) {
   struct Failing : ImageSink {
     void begin(const RunInfo&, int, int) override {}
     void image(const Image&, const Frame&) override {}
     void end() override { throw std::runtime_error("the disk is full"); }
   };
   Kept kept;
-  std::vector<std::unique_ptr<ImageSink>> takers;
-  takers.push_back(std::make_unique<Failing>());
-  takers.push_back(std::make_unique<Keeper>(kept));
-  const auto sink = pictures(small(), std::move(takers), std::filesystem::temp_directory_path());
+  std::vector<std::unique_ptr<ImageSink>> image_sinks;
+  image_sinks.push_back(std::make_unique<Failing>());
+  image_sinks.push_back(std::make_unique<Keeper>(kept));
+  const auto sink = pictures(small(), std::move(image_sinks), std::filesystem::temp_directory_path());
   sink->begin(test::run_info(box));
   EXPECT_THROW(sink->end(), std::runtime_error);
   EXPECT_EQ(kept.ended, 1);
@@ -213,7 +214,7 @@ TEST(Pictures, SmoothLiquidLeavesNoSprayOut) {
 
 TEST(Pictures, TwoSeriesMayBeDrawnInTurns) {
   Look black = small();
-  black.background = "black";
+  black.background = Background::black;
   black.width = 640;
   const auto run = test::run_info(box);
   Painter first(run, small()), second(run, black);

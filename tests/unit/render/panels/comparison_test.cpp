@@ -148,6 +148,6 @@ TEST(Comparison, ARunThatFailedIsDimmedFromThenOn) {
 
 TEST(Comparison, AnotherTimeIsAnotherPictureOnTheSameAxes) {
   const Image early = test::draw_comparison(small(), box, 3, 2), late = test::draw_comparison(small(), box, 3, 8);
-  const Rgb blue = palette("white").runs[0];
+  const Rgb blue = palette(Background::white).runs[0];
   EXPECT_GT(pixels_of(late, blue), pixels_of(early, blue) + 100) << "a longer curve";
 }

@@ -63,7 +63,7 @@ TEST(Quantity, ColoursTheFluidByIt) {
   for (auto& velocity : frame.velocity) velocity = {0.3f, 0, 0.4f};
   const RunInfo run = test::run_info(box);
   const Range range = scene_range(run, Quantity::speed);
-  const Rgb expected = ColourMap("viridis")((0.5 - range.low) / (range.high - range.low));
+  const Rgb expected = ColourMap(ColourMapName::viridis)((0.5 - range.low) / (range.high - range.low));
   EXPECT_GT(colours_of(Quantity::speed, frame)[expected], 1000);
   EXPECT_EQ(colours_of(Quantity::pressure, frame)[expected], 0);
 }

@@ -1,4 +1,4 @@
-#include "apps/run/closing.hpp"
+#include "apps/run/summary.hpp"
 
 #include <fmt/format.h>
 
@@ -51,7 +51,7 @@ std::string written(const Scene& scene, const OutputFolder& folder) {
 
 }  // namespace
 
-std::string closing_text(const Scene& scene, const OutputFolder& folder, const RunRecord& record) {
+std::string summary_text(const Scene& scene, const OutputFolder& folder, const RunRecord& record) {
   const Statistics& s = record.statistics;
   const double iterations = s.steps > 0 ? static_cast<double>(s.iterations) / s.steps : 0;
   const long frames = record.ending->frames;
@@ -60,10 +60,10 @@ std::string closing_text(const Scene& scene, const OutputFolder& folder, const R
                      clock_text(record.times.total), losses(s), speed(record), written(scene, folder));
 }
 
-void print_closing(const Scene& scene, const OutputFolder& folder, const RunRecord& record, bool quiet) {
+void print_summary(const Scene& scene, const OutputFolder& folder, const RunRecord& record, bool quiet) {
   const bool bad = record.ending->status == Ending::Status::failed;
-  if (bad) fmt::print(stderr, "seiche: {}", closing_text(scene, folder, record));
-  if (!bad && !quiet) fmt::print("{}", closing_text(scene, folder, record));
+  if (bad) fmt::print(stderr, "seiche: {}", summary_text(scene, folder, record));
+  if (!bad && !quiet) fmt::print("{}", summary_text(scene, folder, record));
 }
 
 }  // namespace seiche::apps
