@@ -9,6 +9,7 @@
 #include "apps/run/stored_run.hpp"
 #include "render/files/read_png.hpp"
 #include "render/files/read_vtu.hpp"
+#include "tests/facts.hpp"
 #include "tests/unit/apps/stored_tank.hpp"
 
 namespace fs = std::filesystem;
@@ -142,7 +143,7 @@ TEST(Replay, KeepsTheRunsOwnFilesAndAsksBeforeItReplacesOthers) {
   request.overwrite = true;
   for (const fs::path& own : {tank.folder().path, tank.folder().frames(), tank.folder().path / "vtu"}) {
     request.output = own;
-    EXPECT_EQ(refusal(request), own.string() + " holds the run itself; choose another folder with -o DIR");
+    EXPECT_TRUE(test::tells(refusal(request), {own.string(), "-o DIR"}));
   }
   EXPECT_EQ(replay(asked(tank)), done);
   EXPECT_EQ(refusal(asked(tank)), tank.folder().drawn_again().string() +
