@@ -11,7 +11,7 @@
 // What a frame tells of each particle. Scene keys, colours, their range and title, and VTU arrays read the table.
 namespace seiche {
 
-enum class Quantity { pressure, speed, number_density, free_surface, kind };
+enum class Quantity { pressure, speed, number_density, free_surface, kind, vorticity };
 
 struct QuantityRow : Choice<Quantity> {
   std::string_view title;
@@ -68,6 +68,15 @@ struct ChoiceTable<Quantity> {
                   [](const Frame& frame, std::size_t i) { return static_cast<double>(frame.kind[i]); },
                   [](const RunInfo&) {
                     return std::array{0.0, 2.0};
+                  }},
+      QuantityRow{{Quantity::vorticity, "vorticity", "positive anticlockwise, in 3-D its magnitude"},
+                  "vorticity",
+                  "1/s",
+                  nullptr,
+                  // That greatest speed, lost within half the depth.
+                  [](const RunInfo& run) {
+                    const double most = std::sqrt(wave(run)) / run.depth;
+                    return std::array{run.dimension == 2 ? -most : 0.0, most};
                   }},
   };
 };

@@ -47,6 +47,8 @@ TEST(Range, OfTheSceneSuitsTheQuantity) {
   EXPECT_DOUBLE_EQ(scene_range(run, Quantity::speed).low, 0);
   EXPECT_NEAR(scene_range(run, Quantity::speed).high, 0.8, 1e-9);
   EXPECT_DOUBLE_EQ(scene_range(run, Quantity::number_density).low + scene_range(run, Quantity::number_density).high, 2);
+  EXPECT_NEAR(scene_range(run, Quantity::vorticity).low, -8, 1e-9) << "-sqrt(g/H) = -7.0 1/s, and turns both ways";
+  EXPECT_NEAR(scene_range(run, Quantity::vorticity).high, 8, 1e-9);
   EXPECT_DOUBLE_EQ(scene_range(run, Quantity::free_surface).high, 1);
   EXPECT_DOUBLE_EQ(scene_range(run, Quantity::kind).high, 2);
 }
