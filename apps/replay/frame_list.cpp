@@ -36,9 +36,9 @@ void select_frames(const std::string& text, Selection& selection) {
   std::tie(selection.first, selection.last) = std::tie(*first, *last);
 }
 
-FrameList::FrameList(const StoredRun& run, Look look, Selection selection, Wait wait)
-    : run_(run), look_(look), selection_(selection), wait_(std::move(wait)) {
-  this->look();
+FrameList::FrameList(const StoredRun& run, Look appearance, Selection selection, Wait wait)
+    : run_(run), look_(appearance), selection_(selection), wait_(std::move(wait)) {
+  look();
 }
 
 void FrameList::look() {

@@ -31,7 +31,7 @@ class FrameList {
   using Wait = std::function<bool(const std::stop_token&)>;
 
   /// Looks once. @param wait null: what is there now is all. Throws BadFolder.
-  FrameList(const StoredRun& run, Look look, Selection selection, Wait wait = {});
+  FrameList(const StoredRun& run, Look appearance, Selection selection, Wait wait = {});
 
   /// The next one that is selected; nothing after the last. Throws BadFolder.
   std::optional<StoredFrame> next(const std::stop_token& stop = {});

@@ -133,7 +133,8 @@ void add_costs(const Report& report, std::vector<Column>& columns) {
   columns.push_back(
       {"Cost", "Iterations", "a step", "Of the pressure solver.", known_cells(report, [](const ReportRun& run) {
          const Statistics& s = run.run.record.statistics;
-         return s.steps > 0 ? fmt::format("{:.1f}", static_cast<double>(s.iterations) / s.steps) : "";
+         return s.steps > 0 ? fmt::format("{:.1f}", static_cast<double>(s.iterations) / static_cast<double>(s.steps))
+                            : "";
        })});
   columns.push_back({"Cost", "Wall time", "s", "", known_cells(report, [](const ReportRun& run) {
                        return fmt::format("{:.1f}", run.run.record.times.total);

@@ -21,7 +21,7 @@ std::vector<Still> even_stills(const std::vector<fs::path>& pictures, double fra
     const std::string number = picture.stem();
     long index = 0;
     std::from_chars(number.data(), number.data() + number.size(), index);
-    stills.push_back({picture, std::min(end, index * frame_interval)});
+    stills.push_back({picture, std::min(end, static_cast<double>(index) * frame_interval)});
   }
   return stills;
 }

@@ -56,7 +56,7 @@ std::string places(const Scene& scene, const OutputFolder& folder) {
 
 std::string closing_text(const Scene& scene, const OutputFolder& folder, const RunRecord& record) {
   const Statistics& s = record.statistics;
-  const double iterations = s.steps > 0 ? static_cast<double>(s.iterations) / s.steps : 0;
+  const double iterations = s.steps > 0 ? static_cast<double>(s.iterations) / static_cast<double>(s.steps) : 0;
   const long frames = record.ending->frames;
   return fmt::format("{}: {} frame{}, {} steps, {:.1f} pressure iterations a step, {} of wall time\n{}{}{}",
                      ending_sentence(*record.ending), frames, frames == 1 ? "" : "s", s.steps, iterations,

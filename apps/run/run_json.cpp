@@ -77,7 +77,7 @@ Json steps(const Statistics& s) {
 
 Json pressure(const Statistics& s) {
   return {{"iterations", s.iterations},
-          {"iterations_per_step", s.steps > 0 ? static_cast<double>(s.iterations) / s.steps : 0},
+          {"iterations_per_step", s.steps > 0 ? static_cast<double>(s.iterations) / static_cast<double>(s.steps) : 0},
           {"worst_residual", s.worst_residual}};
 }
 

@@ -26,7 +26,7 @@ Sensors<D>::Sensors(const Parameters& p, double interval, const State<D>& s)
 // 1e-12: sums of steps that should end at a sample miss it by their rounding.
 template <int D>
 bool Sensors<D>::is_due(double time, const SensorMemory& memory) const {
-  return interval_ > 0 && memory.next * interval_ <= time * (1 + 1e-12);
+  return interval_ > 0 && static_cast<double>(memory.next) * interval_ <= time * (1 + 1e-12);
 }
 
 template <int D>
@@ -42,7 +42,7 @@ void Sensors<D>::read(const State<D>& s, SensorMemory& memory) {
   auto& [readings, last, last_time, next] = memory;
   evaluate(s, now_);
   for (; is_due(s.time, memory); ++next) {
-    const double t = next * interval_;
+    const double t = static_cast<double>(next) * interval_;
     readings.time.push_back(t);
     const double share = s.time > last_time && !last.empty() ? (t - last_time) / (s.time - last_time) : 1;
     for (std::size_t k = 0; k < now_.size(); ++k)

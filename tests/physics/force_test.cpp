@@ -25,7 +25,7 @@ TEST(WallForce, BalancesTheMomentumOfTheWater) {
     long n = 0;
     for (std::size_t i = 0; i < frame.size(); ++i)
       if (frame.kind[i] == Kind::fluid) sum += frame.velocity[i][0], ++n;
-    return mass * (sum / n + p.motion.amplitude * w * std::cos(w * frame.time));
+    return mass * (sum / static_cast<double>(n) + p.motion.amplitude * w * std::cos(w * frame.time));
   };
   // From 0.05 s on, when the first steps after the impulsive start are over.
   double impulse = 0, last = 0, start = 0, error = 0, greatest = 0, weight = 0;
@@ -46,7 +46,7 @@ TEST(WallForce, BalancesTheMomentumOfTheWater) {
     greatest = std::max(greatest, std::abs(momentum(frame) - start));
   });
   EXPECT_LT(error, 0.03 * greatest) << error << " of " << greatest << " N s/m";
-  EXPECT_NEAR(weight / samples, -mass * p.gravity, 0.005 * mass * p.gravity);
+  EXPECT_NEAR(weight / static_cast<double>(samples), -mass * p.gravity, 0.005 * mass * p.gravity);
 }
 
 }  // namespace

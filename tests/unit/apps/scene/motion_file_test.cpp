@@ -75,9 +75,9 @@ struct SceneWithMotion : ::testing::Test {
 };
 
 TEST_F(SceneWithMotion, ReadsItBesideTheScene) {
-  const Scene scene = read(good);
-  EXPECT_EQ(scene.parameters.motion.series.surge.size(), 4u);
-  EXPECT_NE(check_text(scene).find("moved by 4 samples of m.csv, impulsive start"), std::string::npos);
+  const Scene moved = read(good);
+  EXPECT_EQ(moved.parameters.motion.series.surge.size(), 4u);
+  EXPECT_NE(check_text(moved).find("moved by 4 samples of m.csv, impulsive start"), std::string::npos);
 }
 
 TEST_F(SceneWithMotion, HashesWhatTheFileHolds) {
@@ -90,8 +90,8 @@ TEST_F(SceneWithMotion, WantsAFileAsLongAsTheRun) {
   const auto error = [&](const std::string& csv, const std::string& end) -> std::string {
     try {
       read(csv, end);
-    } catch (const BadScene& error) {
-      return error.what();
+    } catch (const BadScene& refusal) {
+      return refusal.what();
     }
     return "no error";
   };

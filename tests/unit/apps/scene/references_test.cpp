@@ -88,10 +88,10 @@ struct SceneWithReference : ::testing::Test {
 };
 
 TEST_F(SceneWithReference, ReadsItBesideTheSceneAndNamesItAfterTheFile) {
-  const Scene scene = read("t,eta_left\n0,1\n1,2\n");
-  ASSERT_EQ(scene.look.references.size(), 1u);
-  EXPECT_EQ(scene.look.references[0].label, "theory");
-  EXPECT_EQ(scene.look.references[0].series.value, (std::vector<double>{1, 2}));
+  const Scene first = read("t,eta_left\n0,1\n1,2\n");
+  ASSERT_EQ(first.look.references.size(), 1u);
+  EXPECT_EQ(first.look.references[0].label, "theory");
+  EXPECT_EQ(first.look.references[0].series.value, (std::vector<double>{1, 2}));
   const Scene other = read("t,z\n0,5\n1,2\n", "column = \"z\"\nlabel = \"Theory of 1920\"\n");
   EXPECT_EQ(other.look.references[0].label, "Theory of 1920");
   EXPECT_EQ(other.look.references[0].series.value, (std::vector<double>{5, 2}));

@@ -52,8 +52,8 @@ TEST(Front, IsThatOfTheWaterNotOfDrops) {
     frame.kind.push_back(kind);
   };
   for (int i = 0; i < 5; ++i) {
-    add(0.01F * i + 0.005F, 0.005F, Kind::fluid);
-    add(0.01F * i + 0.005F, 0.015F, Kind::fluid);
+    add(0.01F * static_cast<float>(i) + 0.005F, 0.005F, Kind::fluid);
+    add(0.01F * static_cast<float>(i) + 0.005F, 0.015F, Kind::fluid);
   }
   EXPECT_NEAR(front(frame, 0.01), 0.05, 1e-7);
   add(0.1F, 0.005F, Kind::fluid);  // a pair of drops

@@ -10,9 +10,8 @@ namespace {
 using test::l0;
 using test::SensedTank;
 
-template <class T>
+template <class T, int D = T::D>
 struct PressureSensorOf : ::testing::Test {
-  static constexpr int D = T::D;
   SensedTank<D> tank;
 
   double read(double x, double y, double side) const {

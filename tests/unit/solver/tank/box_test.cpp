@@ -8,9 +8,8 @@ namespace {
 
 using test::l0;
 
-template <class T>
+template <class T, int D = T::D>
 struct BoxOf : ::testing::Test {
-  static constexpr int D = T::D;
   Box<D> closed{parameters(true)}, open{parameters(false)};
   Vec<D> middle = 0.5 * closed.size;
 
