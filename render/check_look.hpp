@@ -3,6 +3,9 @@
 
 namespace seiche::render {
 
+/// Throws std::invalid_argument for a width or height beyond least_size and greatest_size.
+void check_picture_size(int width, int height);
+
 /// Throws std::invalid_argument with the first thing in `look` that can't be drawn.
 void check_look(const Look& look);
 

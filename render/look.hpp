@@ -1,6 +1,10 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
+
+#include "solver/choice.hpp"
+#include "solver/quantity.hpp"
 
 namespace seiche::render {
 
@@ -20,16 +24,39 @@ struct Reference {
   Series series;
 };
 
+enum class ColourMapName { viridis, cividis, cool_warm, turbo };
+enum class Background { white, black, transparent };
+/// How particles are drawn.
+enum class Style { disc, dot, smooth };
+/// What stands still in the picture.
+enum class ReferenceFrame { tank, lab };
+
+/// A colour range, in the unit of the quantity.
+struct Range {
+  double low = 0, high = 1;
+};
+
+/// Where the colour range comes from: the scene, known before the first step; each frame; the whole run, known after
+/// it.
+enum class RangeSource { scene, frame, run, given };
+
+struct RangeChoice {
+  RangeSource source = RangeSource::scene;
+  Range given;  ///< of source `given`
+};
+
+/// Least and greatest width and height of a picture [pixels].
+constexpr int least_size = 64, greatest_size = 8192;
+
 /// How a picture looks. Every member is a scene key of [look] or [output].
 struct Look {
-  int width = 1280, height = 720;      ///< [pixels]
-  std::string quantity = "pressure";   ///< that particles are coloured by; quantity.hpp has their names
-  std::string colour_map = "viridis";  ///< viridis | cividis | cool-warm | turbo
-  std::string background = "white";    ///< white | black | transparent
-  /// disc: edged discs that fill the spacing | dot: small plain ones | smooth: one coloured area, 2-D only
-  std::string style = "disc";
-  std::string view = "tank";          ///< tank: the tank stands still | lab: the tank moves
-  std::string range = "scene";        ///< scene | frame | run | "min,max" in the unit of the quantity
+  int width = 1280, height = 720;          ///< [pixels]
+  Quantity quantity = Quantity::pressure;  ///< that particles are coloured by
+  ColourMapName colour_map = ColourMapName::viridis;
+  Background background = Background::white;
+  Style style = Style::disc;
+  ReferenceFrame view = ReferenceFrame::tank;
+  RangeChoice range;
   std::string curves = "auto";        ///< auto | none | sensors without their units, as in "eta_left, p_left_bottom"
   std::vector<Reference> references;  ///< one to a [[look.reference]]
   bool show_arrows = false;           ///< velocities relative to the tank, on a choice of particles; 2-D only
@@ -43,9 +70,38 @@ struct Look {
   bool show_ruler = true;
 };
 
-/// A colour range, in the unit of the quantity.
-struct Range {
-  double low = 0, high = 1;
+}  // namespace seiche::render
+
+namespace seiche {
+
+template <>
+struct ChoiceTable<render::ColourMapName> {
+  using Name = render::ColourMapName;
+  static constexpr std::array rows{Choice{Name::viridis, "viridis", "from dark to light"},
+                                   Choice{Name::cividis, "cividis", "the same to the colour-blind"},
+                                   Choice{Name::cool_warm, "cool-warm", "diverging from a pale middle"},
+                                   Choice{Name::turbo, "turbo", "a rainbow"}};
+};
+template <>
+struct ChoiceTable<render::Background> {
+  using Background = render::Background;
+  static constexpr std::array rows{Choice{Background::white, "white", "for paper"},
+                                   Choice{Background::black, "black", "for screens"},
+                                   Choice{Background::transparent, "transparent", "to lay over something else"}};
+};
+template <>
+struct ChoiceTable<render::Style> {
+  using Style = render::Style;
+  static constexpr std::array rows{
+      Choice{Style::disc, "disc", "particles as edged discs that fill the spacing"},
+      Choice{Style::dot, "dot", "particles as small plain discs"},
+      Choice{Style::smooth, "smooth", "a mean of particles as one coloured area, 2-D only"}};
+};
+template <>
+struct ChoiceTable<render::ReferenceFrame> {
+  using ReferenceFrame = render::ReferenceFrame;
+  static constexpr std::array rows{Choice{ReferenceFrame::tank, "tank", "the tank stands still"},
+                                   Choice{ReferenceFrame::lab, "lab", "the tank moves"}};
 };
 
-}  // namespace seiche::render
+}  // namespace seiche

@@ -39,11 +39,11 @@ struct Ffmpeg {
 };
 Ffmpeg find_ffmpeg();
 
-/// Throws NoEncoder when `file`'s ending (.mp4 .webm .gif) can't be encoded here, std::invalid_argument for an unknown
-/// ending or a size that the codec refuses (odd width or height in .mp4 and .webm). Call it before the first step.
+/// Throws NoEncoder when the movie's format can't be encoded here, std::invalid_argument for an unknown suffix or a
+/// size that the format can't have (movie_format.hpp). Call it before the first step.
 void check_movie(const std::filesystem::path& file, int width, int height);
 
-/// Takes each finished picture; the same one goes to every taker, so that nothing is drawn twice.
+/// Takes each finished picture; the same one goes to every sink, so that nothing is drawn twice.
 class ImageSink {
  public:
   virtual ~ImageSink() = default;
@@ -56,17 +56,17 @@ class ImageSink {
 /// chunks.
 std::unique_ptr<ImageSink> png_series(const std::filesystem::path& folder);
 
-/// A movie streamed to the ffmpeg program while the run goes on; by ending: .mp4 (H.264), .webm (VP9), .gif.
+/// A movie streamed to the ffmpeg program while the run goes on; its format by the suffix of its name.
 /// A movie that is cut short, even by kill -9, still plays.
 std::unique_ptr<ImageSink> movie(const std::filesystem::path& file);
 
-/// The same taker on a thread of its own, so that the next picture is drawn meanwhile; a few may wait for it, in their
+/// The same sink on a thread of its own, so that the next picture is drawn meanwhile; a few may wait for it, in their
 /// order. Of a frame it is told index, step and time alone. What it throws comes out of the next image(), or of end().
-std::unique_ptr<ImageSink> on_thread(std::unique_ptr<ImageSink> taker);
+std::unique_ptr<ImageSink> on_thread(std::unique_ptr<ImageSink> image_sink);
 
-/// Draws each frame once and hands the picture to all takers. With range "run" frames are kept in a file without a name
+/// Draws each frame once and hands the picture to all sinks. With range "run" frames are kept in a file without a name
 /// in `folder` and drawn in end().
-std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers,
+std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> image_sinks,
                                const std::filesystem::path& folder);
 
 /// folder/vtu/name_000123.vtu, folder/name.pvd and folder/name.vtu.series, both valid after every frame.

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "solver/motion/check_motion.hpp"
-#include "solver/sensors/sensor_list.hpp"
+#include "solver/sensors/check_sensors.hpp"
 #include "solver/tank/check_whole.hpp"
 #include "solver/tank/shape.hpp"
 
@@ -13,7 +13,7 @@ namespace seiche {
 void check_parameters(const Parameters& p) {
   const double l0 = p.particles.spacing;
   solver::check_shape(p);
-  const auto [length, height, width] = solver::tank_surface(p).high();
+  const auto [length, height, width] = solver::wall_surface(p).high();
   solver::check_whole("fluid.depth", p.fluid.depth, l0);
   if (p.fluid.column > 0) solver::check_whole("fluid.column", p.fluid.column, l0);
   if (p.fluid.depth > height)
@@ -22,9 +22,9 @@ void check_parameters(const Parameters& p) {
   if (p.fluid.column > length)
     throw BadParameters(
         fmt::format("fluid.column = {:.6g} m is more than tank.length = {:.6g} m", p.fluid.column, length));
-  if (p.fluid.wave_amplitude > 0 && p.fluid.column > 0)
+  if (p.fluid.wave_amplitude != 0 && p.fluid.column > 0)
     throw BadParameters("fluid.wave_amplitude needs liquid in the whole tank: leave fluid.column out");
-  if (p.fluid.wave_amplitude > 0 && 4 * l0 * p.fluid.wave_mode > length)
+  if (p.fluid.wave_amplitude != 0 && 4 * l0 * p.fluid.wave_mode > length)
     throw BadParameters(
         fmt::format("fluid.wave_mode = {} makes half a wave {:.3g} spacings long; a run needs 4 at least",
                     p.fluid.wave_mode, length / (p.fluid.wave_mode * l0)));

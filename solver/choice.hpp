@@ -16,6 +16,9 @@ struct Choice {
   std::string_view help;
 };
 
+template <class E>
+Choice(E, std::string_view, std::string_view) -> Choice<E>;  // clang before 17 needs to be told
+
 /// The scheme that the other choices start from.
 enum class Preset { stabilised, paper };
 /// When particles move: after or before the pressure solve.

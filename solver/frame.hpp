@@ -21,6 +21,14 @@ struct Readings {
   std::vector<double> values;  ///< row by row, one entry per column of RunInfo::sensors
 };
 
+enum class Quantity;  // quantity.hpp
+
+/// Of each particle, what the solver derives from the state when it makes a frame and no step needs.
+struct DerivedField {
+  Quantity quantity;
+  std::vector<float> values;  ///< in the unit of the quantity's row
+};
+
 /// One instant of a run. Particle arrays are in id order and of equal length.
 /// Axes: x along the tank from its left wall, y up from its floor, z across from its near wall (0 in 2-D).
 struct Frame {
@@ -35,6 +43,7 @@ struct Frame {
   std::vector<Kind> kind;
   std::vector<std::uint8_t> free_surface;  ///< 1 where equation (11) holds
   std::vector<std::uint32_t> id;
+  std::vector<DerivedField> derived;  ///< empty in files of versions that had none
   Readings readings;
 
   std::size_t size() const { return position.size(); }

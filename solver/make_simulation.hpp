@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "solver/column.hpp"
 #include "solver/errors.hpp"
 #include "solver/frame.hpp"
 #include "solver/parameters.hpp"
@@ -16,8 +16,8 @@ namespace seiche {
 /// @param sample_interval between two sensor readings [s]; 0: no sensors
 std::unique_ptr<Simulation> make_simulation(const Parameters& parameters, double sample_interval);
 
-/// Column names with units of `Frame::readings`, as in "p_left_bottom [Pa]".
-std::vector<std::string> sensor_columns(const Parameters& parameters);
+/// The columns of `Frame::readings`.
+std::vector<Column> sensor_columns(const Parameters& parameters);
 
 /// The wall of the tank, in its frame.
 SurfaceMesh tank_surface(const Parameters& parameters);

@@ -8,6 +8,15 @@
 
 namespace seiche {
 
+/// What a pressure sensor makes of the pressures on its area.
+enum class PressureReading { mean, maximum };
+
+template <>
+struct ChoiceTable<PressureReading> {
+  static constexpr std::array rows{Choice{PressureReading::mean, "mean", "of the area"},
+                                   Choice{PressureReading::maximum, "maximum", "of the area, its edge included"}};
+};
+
 /// Everything that the physics of a run depends on, in SI units. Who fills it in (a scene file, a test) sees to the
 /// ranges; `Simulation` checks only what concerns several members at once.
 struct Parameters {
@@ -65,7 +74,8 @@ struct Parameters {
   struct PressureSensor {
     std::string name;            ///< as in "left_bottom": column "p_left_bottom [Pa]"
     double x = 0, y = 0, z = 0;  ///< [m]
-    double side = 0;             ///< of the area that it averages over, centred on the point [m]; 0: the point
+    double side = 0;             ///< of the area that it reads, a square centred on the point [m]; 0: the point
+    PressureReading reading = PressureReading::mean;
   };
 
   /// A wave gauge: the surface's height above still level along a vertical line.

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/column.hpp"
 #include "solver/frame.hpp"
 #include "solver/surface_mesh.hpp"
 
@@ -18,14 +19,14 @@ struct RunInfo {
   int dimension = 2;
   SurfaceMesh tank{};  ///< inner surface of its wall, in its frame
   bool closed = true;
-  double depth = 0;                  ///< of the still liquid [m]
-  double density = 0;                ///< [kg/m^3]
-  double gravity = 0;                ///< [m/s^2]
-  double spacing = 0;                ///< l0 [m]
-  Double3 excursion{};               ///< greatest displacement of any point of the tank on each axis [m]
-  double frame_interval = 0;         ///< [s]
-  double end = 0;                    ///< [s]
-  std::vector<std::string> sensors;  ///< column names with units, as in "p_left_bottom [Pa]"
+  double depth = 0;             ///< of the still liquid [m]
+  double density = 0;           ///< [kg/m^3]
+  double gravity = 0;           ///< [m/s^2]
+  double spacing = 0;           ///< l0 [m]
+  Double3 excursion{};          ///< greatest displacement of any point of the tank on each axis [m]
+  double frame_interval = 0;    ///< [s]
+  double end = 0;               ///< [s]
+  std::vector<Column> sensors;  ///< of Frame::readings
 };
 
 }  // namespace seiche

@@ -70,10 +70,7 @@ void add_compare(CLI::App& app, compare::Request& request, int& code) {
                    "folder for everything written; out/<scene>-compare if left out, for folders out/compare")
       ->type_name("DIR");
   add_settings(*verb, request.settings);
-  verb->add_option("--movie", request.movie, "kind of the movie")
-      ->check(CLI::IsMember({"mp4", "webm", "gif"}))
-      ->type_name("KIND")
-      ->capture_default_str();
+  add_movie_format(*verb, request.movie, "format of the movie");
   verb->add_option("--size", request.size, "of pictures and movie")->type_name("WxH")->capture_default_str();
   add_threads(*verb, request.threads);
   verb->add_flag("--quiet", request.quiet, "print nothing but errors");

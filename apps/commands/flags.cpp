@@ -28,4 +28,14 @@ void add_set(CLI::App& verb, std::vector<Override>& overrides, const std::string
       ->allow_extra_args(false);
 }
 
+void add_movie_format(CLI::App& verb, render::MovieFormat& format, const std::string& help) {
+  std::vector<std::string> names;
+  for (const auto& row : ChoiceTable<render::MovieFormat>::rows)
+    if (row.value != render::MovieFormat::none) names.emplace_back(row.name);
+  CLI::Option* option = verb.add_option_function<std::string>(
+      "--movie", [&format](const std::string& text) { format = value_named<render::MovieFormat>(text); }, help);
+  option->check(CLI::IsMember(names))->type_name("FORMAT");
+  if (format != render::MovieFormat::none) option->default_str(std::string(name(format)));
+}
+
 }  // namespace seiche::apps

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/scene/overrides.hpp"
+#include "render/movie_format.hpp"
 
 namespace seiche::apps {
 
@@ -13,5 +14,8 @@ void add_shorthand(CLI::App& verb, const std::string& flag, const std::string& k
 
 /// --set KEY=VALUE. `help`: as in "set a key of the scene".
 void add_set(CLI::App& verb, std::vector<Override>& overrides, const std::string& help);
+
+/// The format of a movie.
+void add_movie_format(CLI::App& verb, render::MovieFormat& format, const std::string& help);
 
 }  // namespace seiche::apps

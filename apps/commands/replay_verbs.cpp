@@ -47,9 +47,7 @@ void add_render(CLI::App& app, ReplayRequest& request, int& code) {
                        ->footer(help::render_footer);
   add_common(*verb, request);
   verb->add_option("-o,--output", request.output, "folder for the pictures; OUT/render if left out")->type_name("DIR");
-  verb->add_option("--movie", request.movie, "make a movie of them, too")
-      ->check(CLI::IsMember({"mp4", "webm", "gif"}))
-      ->type_name("KIND");
+  add_movie_format(*verb, request.movie, "make a movie of them, too");
   verb->add_flag("--overwrite", request.overwrite, "replace earlier pictures in the folder; other files there stay");
   verb->callback([&request, &code] { code = replay(request); });
 }
@@ -60,7 +58,7 @@ void add_movie(CLI::App& app, ReplayRequest& request, int& code) {
                        ->footer(help::movie_footer);
   add_common(*verb, request);
   verb->add_option("-o,--output", request.output,
-                   "the movie; its ending says which kind: .mp4, .webm or .gif; OUT/render/NAME.mp4 if left out")
+                   "the movie; its suffix says which format: .mp4, .webm or .gif; OUT/render/NAME.mp4 if left out")
       ->type_name("FILE");
   verb->add_flag("--overwrite", request.overwrite, "replace the file");
   verb->callback([&request, &code] { code = replay_movie(request); });

@@ -8,11 +8,11 @@
 #include "apps/common/stopwatch.hpp"
 #include "apps/report/command.hpp"
 #include "apps/report/report.hpp"
-#include "apps/run/closing.hpp"
 #include "apps/run/loop.hpp"
 #include "apps/run/run_info.hpp"
 #include "apps/run/run_json.hpp"
 #include "apps/run/stored_run.hpp"
+#include "apps/run/summary.hpp"
 #include "apps/scene/scene_file.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "solver/make_simulation.hpp"
@@ -46,10 +46,10 @@ int simulate(const Scene& scene, const OutputFolder& folder, Simulation& simulat
   const Statistics& totals = simulation.statistics();
   const RunRecord record{ending, totals, {totals.seconds, outputs.seconds(), ending.waited, watch.seconds()}};
   write_run_json(folder.record(), scene, record);
-  if (scene.output.report)
+  if (scene.writes(OutputKind::report))
     write_report(folder.report(),
                  report_of(read_run(folder.path), report::command_text({"run", request.scene}, request.overrides)));
-  print_closing(scene, folder, record, request.quiet);
+  print_summary(scene, folder, record, request.quiet);
   return exit_code(ending.status);
 }
 

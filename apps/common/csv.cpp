@@ -54,6 +54,12 @@ double Csv::number(std::size_t row, std::size_t column) const {
   return value;
 }
 
+CsvTitle parted(const std::string& title) {
+  const std::size_t bracket = title.find('['), end = title.find(']');
+  if (bracket == std::string::npos || end != title.size() - 1) return {title, ""};
+  return {std::string(trimmed(title.substr(0, bracket))), title.substr(bracket + 1, end - bracket - 1)};
+}
+
 void Csv::refuse_header(const std::string& what) const { throw BadScene(fmt::format("{}:1: {}", file_, what)); }
 
 void Csv::refuse(std::size_t row, const std::string& what) const {

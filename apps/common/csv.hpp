@@ -30,6 +30,12 @@ class Csv {
   std::vector<std::vector<std::string>> rows_;
 };
 
+/// The name and the unit in a title, as in "eta_left [m]"; the unit is empty where there is none.
+struct CsvTitle {
+  std::string name, unit;
+};
+CsvTitle parted(const std::string& title);
+
 /// The file as a table. Throws BadScene, also where it can't be read: `what` then says what was looked for, as in
 /// "motion file".
 Csv read_csv(const std::string& file, const std::string& what);

@@ -1,7 +1,7 @@
 #pragma once
 #include <stdexcept>
 
-// What the user is told to mend; each ends the program with its own exit code.
+// Errors in what the user gave; each ends the program with its own exit code.
 namespace seiche::apps {
 
 /// Everything that is wrong with a scene or a file that it names, one message a line, each with file:line:column or the

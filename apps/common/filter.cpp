@@ -48,7 +48,7 @@ Series resampled(const Series& series, double from, double to, double cut) {
   const long count = static_cast<long>((part.t.back() - part.t.front()) / step + 1e-6) + 1;
   Series result;
   for (long i = 0; i < count; ++i) {
-    result.t.push_back(part.t.front() + i * step);
+    result.t.push_back(part.t.front() + static_cast<double>(i) * step);
     result.y.push_back(part.at(result.t.back()));
   }
   return result;

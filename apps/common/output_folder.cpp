@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <vector>
 
@@ -41,7 +40,16 @@ void remove_series(const fs::path& folder, const std::string& prefix, const std:
   if (fs::is_empty(folder)) fs::remove(folder);
 }
 
-constexpr const char* movies[] = {".mp4", ".webm", ".gif"};
+// What a run of the scene may have left of one kind of output.
+void remove_output(const fs::path& run, const std::string& scene, const OutputRow& row) {
+  for (const OutputFile& each : row.files) {
+    const std::string name = fmt::format(fmt::runtime(each.name), scene);
+    if (each.numbered)
+      remove_series(run / each.folder, name, each.suffix);
+    else
+      remove_file(run / each.folder / (name + each.suffix));
+  }
+}
 
 void check_folder(const fs::path& path, bool overwrite, const std::string& what) {
   if (!fs::exists(path)) return;
@@ -63,7 +71,7 @@ BadFolder cannot_prepare(const fs::path& path, const fs::filesystem_error& error
 // What PictureFolder is made of, and the folder if nothing else is in it.
 void remove_pictures(const PictureFolder& folder) {
   if (!fs::is_directory(folder.path)) return;
-  for (const char* ending : movies) remove_file(folder.path / (folder.scene + ending));
+  remove_output(folder.path, folder.scene, output_row(OutputKind::movie));
   remove_series(folder.path, "", ".png");
 }
 
@@ -74,18 +82,22 @@ void OutputFolder::check(bool overwrite) const { check_folder(path, overwrite, "
 void OutputFolder::prepare() const {
   try {
     fs::create_directories(path);
-    remove_series(frames(), "", ".png");
-    remove_series(path / "vtu", scene + "_", ".vtu");
+    for (const OutputRow& row : output_rows()) remove_output(path, scene, row);
     remove_pictures({drawn_again(), scene});
-    for (const char* ending : movies) remove_file(path / (scene + ending));
-    for (const char* ending : {".pvd", ".vtu.series"}) remove_file(path / (scene + ending));
-    remove_file(probes());
     remove_file(record());
-    remove_file(report());
     remove_file(samples());
   } catch (const fs::filesystem_error& error) {
     throw cannot_prepare(path, error);
   }
+}
+
+fs::path OutputFolder::place(OutputKind kind) const {
+  for (const OutputFile& each : output_row(kind).files) {
+    const std::string name = fmt::format(fmt::runtime(each.name), scene);
+    const fs::path file = each.numbered ? path / each.folder / "" : path / each.folder / (name + each.suffix);
+    if (fs::exists(file)) return file;
+  }
+  return {};
 }
 
 void PictureFolder::check(bool overwrite) const { check_folder(path, overwrite, "the pictures"); }

@@ -3,6 +3,8 @@
 #include <string>
 
 #include "apps/common/errors.hpp"
+#include "apps/common/output_kinds.hpp"
+#include "render/movie_format.hpp"
 
 namespace seiche::apps {
 
@@ -12,7 +14,9 @@ struct OutputFolder {
   std::string scene;  ///< its name, which the movie, the .pvd and the .vtu files bear
 
   std::filesystem::path frames() const { return path / "frames"; }
-  std::filesystem::path movie(const std::string& kind) const { return path / (scene + "." + kind); }
+  std::filesystem::path movie(render::MovieFormat format) const {
+    return path / (scene + std::string(render::row_of(format).suffix));
+  }
   std::filesystem::path pvd() const { return path / (scene + ".pvd"); }
   std::filesystem::path probes() const { return path / "probes.csv"; }
   std::filesystem::path record() const { return path / "run.json"; }
@@ -20,10 +24,13 @@ struct OutputFolder {
   std::filesystem::path samples() const { return path / "samples.json"; }
   std::filesystem::path drawn_again() const { return path / "render"; }  ///< a PictureFolder, if -o says nothing else
 
+  /// The first of the kind's files that is there, or the folder of a series; empty without one.
+  std::filesystem::path place(OutputKind kind) const;
+
   /// Throws BadFolder where a file stands in the way, or files do and may not be overwritten. Writes nothing.
   void check(bool overwrite) const;
 
-  /// Makes the folder, and takes out what an earlier run of this scene wrote there; a stranger's files stay.
+  /// Makes the folder, and takes out what an earlier run of this scene wrote there; all other files stay.
   void prepare() const;
 };
 
@@ -32,7 +39,9 @@ struct PictureFolder {
   std::filesystem::path path;
   std::string scene;  ///< its name, which the movie bears
 
-  std::filesystem::path movie(const std::string& kind) const { return path / (scene + "." + kind); }
+  std::filesystem::path movie(render::MovieFormat format) const {
+    return path / (scene + std::string(render::row_of(format).suffix));
+  }
 
   /// As OutputFolder's.
   void check(bool overwrite) const;

@@ -23,7 +23,7 @@ std::string remaining(const Moment& m) {
 }
 
 std::string facts(const Moment& m) {
-  const double rate = m.elapsed > 0 ? m.steps / m.elapsed : 0;
+  const double rate = m.elapsed > 0 ? static_cast<double>(m.steps) / m.elapsed : 0;
   return fmt::format("{:3.0f} %  {:.2f}/{:g} s  frame {}/{}  {} {}  {:.3g} {}/s  {}", std::floor(100 * share(m)),
                      m.time, m.end, m.frame, m.frames, m.steps, m.counted, rate, m.counted, remaining(m));
 }

@@ -45,7 +45,8 @@ std::string command_of(const Request& request) {
   std::vector<std::string> words{"compare"};
   words.insert(words.end(), request.what.begin(), request.what.end());
   for (const std::string& each : request.vary) words.insert(words.end(), {"--vary", each});
-  if (request.movie != Request{}.movie) words.insert(words.end(), {"--movie", request.movie});
+  if (request.movie != Request{}.movie)
+    words.insert(words.end(), {"--movie", std::string(seiche::name(request.movie))});
   if (request.size != Request{}.size) words.insert(words.end(), {"--size", request.size});
   return report::command_text(words, request.settings);
 }
@@ -66,24 +67,24 @@ int show(const Request& request, const std::vector<ComparedRun>& runs, const ren
          const SignalWatch& signals, const Stopwatch& watch) {
   const OutputFolder files = files_in(folder);
   Draft draft(folder);
-  Board board(Progress::suitable(request.quiet));
+  ProgressTable table(Progress::suitable(request.quiet));
   const Stopwatch drawing;
-  const auto told = [&](long number, long last) {
-    Lane lane{.label = "pictures", .state = Lane::State::running, .form = "{:.0f}/{:.0f}", .verdict = {}};
-    lane.time = static_cast<double>(number + 1);
-    lane.end = static_cast<double>(last + 1);
-    board.show({lane}, drawing.seconds());
+  const auto progress = [&](long number, long last) {
+    ProgressRow row{.label = "pictures", .state = ProgressRow::State::running, .format = "{:.0f}/{:.0f}", .ending = {}};
+    row.time = static_cast<double>(number + 1);
+    row.end = static_cast<double>(last + 1);
+    table.show({row}, drawing.seconds());
     return !signals.caught();
   };
-  const bool whole = draw(runs, look, {draft.files().frames(), draft.files().movie(request.movie)}, told);
+  const bool whole = draw(runs, look, {draft.files().frames(), draft.files().movie(request.movie)}, progress);
   if (whole) report_on(runs, draft.files(), request);
   // Part of a movie is better than none, but not than an earlier one.
   const bool kept = !whole && is_drawn(folder);
   if (!kept) {
     draft.publish();
-    std::vector<Place> places;
-    for (const ComparedRun& each : runs) places.push_back({each.label, each.run.folder});
-    write_note(folder, places);
+    std::vector<ShownRun> folders;
+    for (const ComparedRun& each : runs) folders.push_back({each.label, each.run.folder});
+    write_note(folder, folders);
   }
   if (!request.quiet) {
     fmt::print("{} after {}{}\n", whole ? "Done" : "Interrupted", clock_text(watch.seconds()),
@@ -103,19 +104,19 @@ int compare_scene(const Request& request) {
   const auto runs = plan(scene, request.vary, request.settings, folder);
   const render::Look look = with_size(runs.front().scene.look, request.size);
   check_pictures(request, look);
-  std::vector<Place> places;
-  for (const PlannedRun& run : runs) places.push_back({run.label, run.folder});
+  std::vector<ShownRun> folders;
+  for (const PlannedRun& run : runs) folders.push_back({run.label, run.folder});
   const FolderLock lock(folder);
-  check_folder(folder, places, request.overwrite);
+  check_folder(folder, folders, request.overwrite);
   if (!request.overwrite) std::for_each(runs.begin(), runs.end(), check_kept);
 
   const Stopwatch watch;
   const SignalWatch signals;
-  // Tells the folder from a stranger's; of pictures that are there, the note is theirs.
-  if (!is_drawn(folder)) write_note(folder, places);
-  Board board(Progress::suitable(request.quiet));
+  // Tells that the folder is a comparison's; of pictures that are there, the note is theirs.
+  if (!is_drawn(folder)) write_note(folder, folders);
+  ProgressTable table(Progress::suitable(request.quiet));
   const int threads = request.threads > 0 ? request.threads : omp_get_num_procs();
-  const Outcome outcome = run_all(runs, threads, request.overwrite, board, [&] { return signals.caught(); });
+  const Outcome outcome = run_all(runs, threads, request.overwrite, table, [&] { return signals.caught(); });
   for (const std::string& trouble : outcome.troubles) fmt::print(stderr, "seiche: {}\n", trouble);
   if (outcome.interrupted) {
     if (!request.quiet)
@@ -197,23 +198,23 @@ int compare_folders(const Request& request) {
   const render::Look look = look_of(request, stored.front());
   const auto labels = names_of(stored);
   std::vector<ComparedRun> runs;
-  std::vector<Place> places;
+  std::vector<ShownRun> folders;
   for (std::size_t i = 0; i < stored.size(); ++i) {
     if (stored[i].info.dimension != stored.front().info.dimension)
       throw std::invalid_argument(fmt::format("{} is a {}-D run and {} a {}-D one; they can't share a picture",
                                               request.what[i], stored[i].info.dimension, request.what.front(),
                                               stored.front().info.dimension));
     runs.push_back(compared(labels[i], std::move(stored[i])));
-    places.push_back({labels[i], runs.back().run.folder});
+    folders.push_back({labels[i], runs.back().run.folder});
   }
   clock_of(runs);  // throws where they can't share one
   check_pictures(request, look);
   const fs::path folder = request.folder.empty() ? "out/compare" : request.folder;
   const FolderLock lock(folder);
-  check_folder(folder, places, request.overwrite);
+  check_folder(folder, folders, request.overwrite);
   const Stopwatch watch;
   const SignalWatch signals;
-  if (!is_drawn(folder)) write_note(folder, places);
+  if (!is_drawn(folder)) write_note(folder, folders);
   return show(request, runs, look, folder, signals, watch);
 }
 
@@ -225,7 +226,7 @@ int compare(const Request& request) {
   if (fs::is_directory(request.what.front())) return compare_folders(request);
   if (request.what.size() > 1)
     throw std::invalid_argument(fmt::format(
-        "{} is no folder of a run; give one scene with --vary, or folders of runs alone", request.what.front()));
+        "{} is not the folder of a run; give one scene with --vary, or folders of runs alone", request.what.front()));
   if (request.vary.empty())
     throw std::invalid_argument("nothing varies; give --vary KEY=VALUE,VALUE, as in --vary method.kernel=KF1,KF3");
   return compare_scene(request);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/scene/overrides.hpp"
+#include "render/movie_format.hpp"
 
 namespace seiche::apps::compare {
 
@@ -13,8 +14,8 @@ struct Request {
   std::vector<std::string> vary;  ///< the argument of each --vary
   std::filesystem::path folder;   ///< empty: out/<scene>-compare, or out/compare for folders
   std::vector<Override> settings;
-  int threads = 0;                 ///< of all runs together; 0: one per core
-  std::string movie = "mp4";       ///< mp4 | webm | gif
+  int threads = 0;  ///< of all runs together; 0: one per core
+  render::MovieFormat movie = render::MovieFormat::mp4;
   std::string size = "1920x1080";  ///< of pictures and movie [pixels]
   bool quiet = false;
   bool overwrite = false;

@@ -62,9 +62,9 @@ double common_interval(const std::vector<ComparedRun>& runs) {
 }
 
 // The frames of one run, each read when its time comes.
-class Reel {
+class FrameReader {
  public:
-  explicit Reel(const ComparedRun& run) : run_(run) {}
+  explicit FrameReader(const ComparedRun& run) : run_(run) {}
 
   render::PanelFrame at(double time, double interval) {
     const std::size_t number = frame_at(run_, time);
@@ -88,23 +88,23 @@ render::Range united(const std::optional<render::Range>& a, render::Range b) {
 
 // Of all pictures; nothing where each has its own. A run that blows up would leave no colour for the others.
 std::optional<render::Range> common_range(const std::vector<ComparedRun>& runs, const render::Look& look) {
-  if (const auto given = render::parse_range(look.range)) return given;
-  const render::Quantity quantity = render::quantity_of(look.quantity);
+  if (look.range.source == render::RangeSource::given) return look.range.given;
   const bool all = std::all_of(runs.begin(), runs.end(), has_failed);
   std::optional<render::Range> range;
   for (const ComparedRun& run : runs) {
     if (const auto fixed = render::fixed_range(run.run.info, look)) {
       range = united(range, *fixed);
-    } else if (look.range == "run" && (all || !has_failed(run))) {
+    } else if (look.range.source == render::RangeSource::run && (all || !has_failed(run))) {
       for (const StoredFrame& each : run.frames)
-        range = united(range, render::rounded(render::fluid_range(render::read_vtu(each.file, each.index), quantity)));
+        range =
+            united(range, render::rounded(render::fluid_range(render::read_vtu(each.file, each.index), look.quantity)));
     }
   }
   return range;
 }
 
 // Of one picture, by those that still go on.
-render::Range range_of(const std::vector<render::PanelFrame>& frames, render::Quantity quantity) {
+render::Range range_of(const std::vector<render::PanelFrame>& frames, Quantity quantity) {
   const bool all = std::all_of(frames.begin(), frames.end(), [](const auto& each) { return each.ended; });
   std::optional<render::Range> range;
   for (const render::PanelFrame& each : frames)
@@ -114,7 +114,7 @@ render::Range range_of(const std::vector<render::PanelFrame>& frames, render::Qu
 
 // Readings are written before the frame that they lead up to.
 void check_readings(const ComparedRun& run) {
-  if (!run.run.scene.output.probes || run.run.info.sensors.empty()) return;
+  if (!run.run.scene.writes(OutputKind::probes) || run.run.info.sensors.empty()) return;
   const auto& times = run.readings.time;
   const double read = times.empty() ? 0 : times.back() + 2 / run.run.scene.output.probe_rate;
   if (read < last_time(run))
@@ -166,41 +166,40 @@ render::Variant variant_of(const ComparedRun& run, double end) {
   if (!ending)
     variant.message = {fmt::format("unfinished: ends at {:.3g} s", last_time(run))};
   else if (ending->status != Ending::Status::finished)
-    variant.message = verdict_of(*ending);
+    variant.message = ending_lines(*ending);
   else if (last_time(run) < end)
     variant.message = {fmt::format("ends at {:.3g} s", last_time(run))};
   return variant;
 }
 
 bool draw(const std::vector<ComparedRun>& runs, const render::Look& look, const Pictures& pictures,
-          const std::function<bool(long, long)>& told) {
+          const std::function<bool(long, long)>& progress) {
   const Clock clock = clock_of(runs);
   std::vector<render::Variant> variants;
-  std::vector<Reel> reels;
+  std::vector<FrameReader> readers;
   for (const ComparedRun& each : runs) {
     variants.push_back(variant_of(each, clock.end));
-    reels.emplace_back(each);
+    readers.emplace_back(each);
   }
   render::Comparison comparison(std::move(variants), look);
   for (std::size_t i = 0; i < runs.size(); ++i) comparison.record(i, runs[i].readings);
   const auto fixed = common_range(runs, look);
-  const std::unique_ptr<render::ImageSink> takers[] = {render::on_thread(render::png_series(pictures.frames)),
-                                                       render::on_thread(render::movie(pictures.movie))};
+  const std::unique_ptr<render::ImageSink> image_sinks[] = {render::on_thread(render::png_series(pictures.frames)),
+                                                            render::on_thread(render::movie(pictures.movie))};
   const RunInfo info = info_of_all(runs, clock.interval);
-  for (const auto& taker : takers) taker->begin(info, look.width, look.height);
+  for (const auto& image_sink : image_sinks) image_sink->begin(info, look.width, look.height);
   bool going = true;
   for (long number = 0; going && number <= clock.last; ++number) {
     Frame now;
     now.index = number;
     now.time = clock.time(number);
     std::vector<render::PanelFrame> frames;
-    for (Reel& reel : reels) frames.push_back(reel.at(now.time, clock.interval));
-    const render::Image image =
-        comparison.draw(now.time, frames, fixed ? *fixed : range_of(frames, render::quantity_of(look.quantity)));
-    for (const auto& taker : takers) taker->image(image, now);
-    going = told(number, clock.last) || number == clock.last;
+    for (FrameReader& reader : readers) frames.push_back(reader.at(now.time, clock.interval));
+    const render::Image image = comparison.draw(now.time, frames, fixed ? *fixed : range_of(frames, look.quantity));
+    for (const auto& image_sink : image_sinks) image_sink->image(image, now);
+    going = progress(number, clock.last) || number == clock.last;
   }
-  for (const auto& taker : takers) taker->end();
+  for (const auto& image_sink : image_sinks) image_sink->end();
   return going;
 }
 

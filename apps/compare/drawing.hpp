@@ -46,9 +46,9 @@ struct Pictures {
   std::filesystem::path frames, movie;
 };
 
-/// Draws all pictures. @param told after each, with its number and the number of all; false ends it there
+/// Draws all pictures. @param progress called after each, with its number and the number of all; false ends it there
 /// Returns whether it came to the end. Throws what render throws.
 bool draw(const std::vector<ComparedRun>& runs, const render::Look& look, const Pictures& pictures,
-          const std::function<bool(long, long)>& told);
+          const std::function<bool(long, long)>& progress);
 
 }  // namespace seiche::apps::compare

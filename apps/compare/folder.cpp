@@ -27,7 +27,7 @@ constexpr const char* ways_out = "choose another folder with -o DIR, or replace 
 fs::path note_in(const fs::path& folder) { return folder / (std::string(name) + ".json"); }
 
 // From the comparison's folder, so that both can be moved together, and by whatever way it was named.
-std::string told(const fs::path& run, const fs::path& folder) { return fs::proximate(run, folder).string(); }
+std::string relative_path(const fs::path& run, const fs::path& folder) { return fs::proximate(run, folder).string(); }
 
 // The runs that the folder's comparison shows.
 std::vector<std::string> noted(const fs::path& folder) {
@@ -69,7 +69,7 @@ FolderLock::~FolderLock() { close(descriptor_); }
 
 bool is_drawn(const fs::path& folder) { return !stored_pictures({folder, {}, {}, {}}).empty(); }
 
-void check_folder(const fs::path& folder, const std::vector<Place>& runs, bool overwrite) {
+void check_folder(const fs::path& folder, const std::vector<ShownRun>& runs, bool overwrite) {
   if (fs::exists(files_in(folder).record()))
     throw BadFolder(fmt::format("{} is the folder of a run; choose another with -o DIR", folder.string()));
   const bool again = fs::exists(note_in(folder));
@@ -77,7 +77,8 @@ void check_folder(const fs::path& folder, const std::vector<Place>& runs, bool o
   if (overwrite || !again || !is_drawn(folder)) return;
   const auto earlier = noted(folder);
   const auto is_shown = [&](const std::string& run) {
-    return std::any_of(runs.begin(), runs.end(), [&](const Place& p) { return told(p.folder, folder) == run; });
+    return std::any_of(runs.begin(), runs.end(),
+                       [&](const ShownRun& p) { return relative_path(p.folder, folder) == run; });
   };
   // More runs than before are fine: nothing is lost then.
   if (!std::all_of(earlier.begin(), earlier.end(), is_shown))
@@ -85,10 +86,11 @@ void check_folder(const fs::path& folder, const std::vector<Place>& runs, bool o
                                 fmt::join(earlier, ", "), ways_out));
 }
 
-void write_note(const fs::path& folder, const std::vector<Place>& runs) {
+void write_note(const fs::path& folder, const std::vector<ShownRun>& runs) {
   nlohmann::ordered_json json{
       {"seiche", version()}, {schema_key, note_schema}, {"runs", nlohmann::ordered_json::array()}};
-  for (const Place& run : runs) json["runs"].push_back({{"label", run.label}, {"folder", told(run.folder, folder)}});
+  for (const ShownRun& run : runs)
+    json["runs"].push_back({{"label", run.label}, {"folder", relative_path(run.folder, folder)}});
   render::write_file(note_in(folder), json.dump(2) + "\n");
 }
 

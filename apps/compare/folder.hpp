@@ -9,7 +9,7 @@
 namespace seiche::apps::compare {
 
 /// A run that a comparison shows.
-struct Place {
+struct ShownRun {
   std::string label;
   std::filesystem::path folder;
 };
@@ -33,12 +33,12 @@ class FolderLock {
 /// Whether a comparison's pictures are in the folder.
 bool is_drawn(const std::filesystem::path& folder);
 
-/// Throws BadFolder for the folder of a run and, unless they may be overwritten, for a stranger's files and for
+/// Throws BadFolder for the folder of a run and, unless they may be overwritten, for other files and for
 /// pictures of a comparison of others than these. Writes nothing.
-void check_folder(const std::filesystem::path& folder, const std::vector<Place>& runs, bool overwrite);
+void check_folder(const std::filesystem::path& folder, const std::vector<ShownRun>& runs, bool overwrite);
 
 /// Writes compare.json, which tells what check_folder asks for. Throws std::runtime_error.
-void write_note(const std::filesystem::path& folder, const std::vector<Place>& runs);
+void write_note(const std::filesystem::path& folder, const std::vector<ShownRun>& runs);
 
 /// Where a comparison is drawn, so that the one before it stays until this one is whole.
 class Draft {

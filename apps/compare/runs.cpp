@@ -18,7 +18,7 @@
 namespace seiche::apps::compare {
 namespace {
 
-constexpr int between_looks = 250;  // at how far the runs have come [ms]
+constexpr int poll_interval = 250;  // at how far the runs have come [ms]
 
 // What it may not overwrite has been refused by check_kept.
 std::vector<std::string> command(const PlannedRun& run, int threads) {
@@ -65,56 +65,56 @@ struct Worker {
   render::Process process;
 };
 
-// The runs at work, each with its lane on the board.
-class Team {
+// The runs at work, each with its row on the table.
+class Workers {
  public:
-  Team(const std::vector<PlannedRun>& runs, bool again) : runs_(runs), workers_(runs.size()) {
+  Workers(const std::vector<PlannedRun>& runs, bool again) : runs_(runs), workers_(runs.size()) {
     for (const PlannedRun& run : runs) {
-      lanes_.push_back({.label = run.label, .end = run.scene.parameters.time.end, .verdict = {}});
+      rows_.push_back({.label = run.label, .end = run.scene.parameters.time.end, .ending = {}});
       if (again || !is_done(run)) continue;
-      lanes_.back().state = Lane::State::over;
-      lanes_.back().verdict = fmt::format("{}; done before", fmt::join(verdict_of(*ending_of(run)), ": "));
+      rows_.back().state = ProgressRow::State::over;
+      rows_.back().ending = fmt::format("{}; done before", fmt::join(ending_lines(*ending_of(run)), ": "));
     }
   }
 
-  const std::vector<Lane>& lanes() const { return lanes_; }
+  const std::vector<ProgressRow>& rows() const { return rows_; }
 
-  std::size_t waiting() const { return count(Lane::State::waiting); }
-  std::size_t at_work() const { return count(Lane::State::running); }
+  std::size_t waiting() const { return count(ProgressRow::State::waiting); }
+  std::size_t running() const { return count(ProgressRow::State::running); }
 
   // Of the largest run that waits [bytes].
   double memory() const {
     double largest = 0;
     for (std::size_t i = 0; i < runs_.size(); ++i)
-      if (lanes_[i].state == Lane::State::waiting) largest = std::max(largest, memory_of(runs_[i].scene));
+      if (rows_[i].state == ProgressRow::State::waiting) largest = std::max(largest, memory_of(runs_[i].scene));
     return largest;
   }
 
   void start_next(int threads) {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
-      if (lanes_[i].state != Lane::State::waiting) continue;
+      if (rows_[i].state != ProgressRow::State::waiting) continue;
       workers_[i] = std::make_unique<Worker>(command(runs_[i], threads));
-      lanes_[i].state = Lane::State::running;
+      rows_[i].state = ProgressRow::State::running;
       return;
     }
   }
 
-  void look(Outcome& outcome) {
+  void update(Outcome& outcome) {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
-      Lane& lane = lanes_[i];
-      if (lane.state != Lane::State::running) continue;
+      ProgressRow& row = rows_[i];
+      if (row.state != ProgressRow::State::running) continue;
       const std::optional<int> code = workers_[i]->process.exit_code();
       if (!code) {
-        lane.time = reached(runs_[i], lane.time);
+        row.time = reached(runs_[i], row.time);
         continue;
       }
-      lane.state = Lane::State::over;
+      row.state = ProgressRow::State::over;
       if (const auto ending = ending_of(runs_[i], *code)) {
-        lane.verdict = fmt::format("{}", fmt::join(verdict_of(*ending), ": "));
+        row.ending = fmt::format("{}", fmt::join(ending_lines(*ending), ": "));
       } else {
         const std::string why = first_line(render::contents(workers_[i]->errors.get()));
-        lane.verdict = fmt::format("could not be run: {}", why.empty() ? fmt::format("it ended with {}", *code) : why);
-        outcome.troubles.push_back(fmt::format("{} {}", lane.label, lane.verdict));
+        row.ending = fmt::format("could not be run: {}", why.empty() ? fmt::format("it ended with {}", *code) : why);
+        outcome.troubles.push_back(fmt::format("{} {}", row.label, row.ending));
       }
       workers_[i].reset();
     }
@@ -125,7 +125,7 @@ class Team {
     std::vector<pollfd> ends;
     for (const auto& worker : workers_)
       if (worker) ends.push_back({worker->process.descriptor(), POLLIN, 0});
-    poll(ends.data(), ends.size(), between_looks);
+    poll(ends.data(), ends.size(), poll_interval);
   }
 
   void end_all() {
@@ -134,19 +134,19 @@ class Team {
   }
 
  private:
-  std::size_t count(Lane::State state) const {
+  std::size_t count(ProgressRow::State state) const {
     return static_cast<std::size_t>(
-        std::count_if(lanes_.begin(), lanes_.end(), [&](const Lane& lane) { return lane.state == state; }));
+        std::count_if(rows_.begin(), rows_.end(), [&](const ProgressRow& row) { return row.state == state; }));
   }
 
   const std::vector<PlannedRun>& runs_;
-  std::vector<Lane> lanes_;
+  std::vector<ProgressRow> rows_;
   std::vector<std::unique_ptr<Worker>> workers_;  // of those at work
 };
 
 }  // namespace
 
-std::vector<std::string> verdict_of(const Ending& ending) {
+std::vector<std::string> ending_lines(const Ending& ending) {
   switch (ending.status) {
     case Ending::Status::finished:
       return {fmt::format("finished at {:.4g} s", ending.time)};
@@ -158,24 +158,24 @@ std::vector<std::string> verdict_of(const Ending& ending) {
   return {fmt::format("stopped at {:.3f} s", ending.time), ending.failure ? ending.failure->cause : ending.trouble};
 }
 
-Outcome run_all(const std::vector<PlannedRun>& runs, int threads, bool again, Board& board,
+Outcome run_all(const std::vector<PlannedRun>& runs, int threads, bool again, ProgressTable& table,
                 const std::function<bool()>& stop) {
   const Stopwatch watch;
   Outcome outcome;
-  Team team(runs, again);
-  const int most = runs_at_a_time(team.waiting(), threads, team.memory(), free_memory());
+  Workers workers(runs, again);
+  const int most = runs_at_a_time(workers.waiting(), threads, workers.memory(), free_memory());
   while (true) {
     if (stop() && !outcome.interrupted) {
       outcome.interrupted = true;
-      team.end_all();
-      board.say("Ending all runs with their current frames (Ctrl-C: at once)");
+      workers.end_all();
+      table.say("Ending all runs with their current frames (Ctrl-C: at once)");
     }
-    while (!outcome.interrupted && team.at_work() < static_cast<std::size_t>(most) && team.waiting() > 0)
-      team.start_next(threads / most);
-    team.look(outcome);
-    board.show(team.lanes(), watch.seconds());
-    if (team.at_work() == 0 && (outcome.interrupted || team.waiting() == 0)) return outcome;
-    team.wait();
+    while (!outcome.interrupted && workers.running() < static_cast<std::size_t>(most) && workers.waiting() > 0)
+      workers.start_next(threads / most);
+    workers.update(outcome);
+    table.show(workers.rows(), watch.seconds());
+    if (workers.running() == 0 && (outcome.interrupted || workers.waiting() == 0)) return outcome;
+    workers.wait();
   }
 }
 

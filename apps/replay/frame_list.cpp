@@ -31,29 +31,29 @@ void select_frames(const std::string& text, Selection& selection) {
   const std::string low = text.substr(0, colon), high = colon == std::string::npos ? low : text.substr(colon + 1);
   const auto first = low.empty() ? selection.first : whole(low), last = high.empty() ? selection.last : whole(high);
   if (text.empty() || text == ":" || !first || !last || *first > *last)
-    throw std::invalid_argument(
-        fmt::format("'{}' are no frames; give the first and the last one, as in 100:200, 100: or :200", text));
+    throw std::invalid_argument(fmt::format(
+        "'{}' is not a range of frames; give the first and the last one, as in 100:200, 100: or :200", text));
   std::tie(selection.first, selection.last) = std::tie(*first, *last);
 }
 
-FrameList::FrameList(const StoredRun& run, Look look, Selection selection, Wait wait)
-    : run_(run), look_(look), selection_(selection), wait_(std::move(wait)) {
-  this->look();
+FrameList::FrameList(const StoredRun& run, Scan scan, Selection selection, Wait wait)
+    : run_(run), scan_(scan), selection_(selection), wait_(std::move(wait)) {
+  rescan();
 }
 
-void FrameList::look() {
+void FrameList::rescan() {
   // Asked first: all frames of a run that has ended are there.
-  if (looks_ > 0) ended_ = read_run(run_.folder).record.ending.has_value();
+  if (scans_ > 0) ended_ = read_run(run_.folder).record.ending.has_value();
   const long newest = found_.empty() ? -1 : found_.back().index;
-  for (StoredFrame& frame : look_(run_))
+  for (StoredFrame& frame : scan_(run_))
     if (frame.index > newest && selection_.holds(frame)) found_.push_back(std::move(frame));
-  ++looks_;
+  ++scans_;
 }
 
 std::optional<StoredFrame> FrameList::next(const std::stop_token& stop) {
   while (handed_ == found_.size()) {
     if (!wait_ || ended_) return {};
-    look();
+    rescan();
     if (handed_ == found_.size() && !ended_ && !wait_(stop)) return {};
   }
   return found_[handed_++];

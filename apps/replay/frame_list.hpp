@@ -26,12 +26,12 @@ void select_frames(const std::string& text, Selection& selection);
 class FrameList {
  public:
   /// What is there now, in order: stored_frames, listed_pictures.
-  using Look = std::vector<StoredFrame> (*)(const StoredRun& run);
+  using Scan = std::vector<StoredFrame> (*)(const StoredRun& run);
   /// Called while nothing new is there and the run goes on; false gives up, as it must once the token says so.
   using Wait = std::function<bool(const std::stop_token&)>;
 
-  /// Looks once. @param wait null: what is there now is all. Throws BadFolder.
-  FrameList(const StoredRun& run, Look look, Selection selection, Wait wait = {});
+  /// Scans the folder once. @param wait null: what is there now is all. Throws BadFolder.
+  FrameList(const StoredRun& run, Scan scan, Selection selection, Wait wait = {});
 
   /// The next one that is selected; nothing after the last. Throws BadFolder.
   std::optional<StoredFrame> next(const std::stop_token& stop = {});
@@ -39,18 +39,18 @@ class FrameList {
   /// Those selected that were found, also the ones handed out.
   const std::vector<StoredFrame>& found() const { return found_; }
 
-  long looks() const { return looks_; }
+  long scans() const { return scans_; }
 
  private:
-  void look();
+  void rescan();
 
   const StoredRun& run_;
-  Look look_;
+  Scan scan_;
   Selection selection_;
   Wait wait_;
   std::vector<StoredFrame> found_;
   std::size_t handed_ = 0;
-  long looks_ = 0;
+  long scans_ = 0;
   bool ended_ = false;
 };
 

@@ -10,8 +10,8 @@ FramePtr ReplayFrames::next(const std::stop_token& stop) {
   const auto stored = list_.next(stop);
   if (!stored) return {};
   auto frame = std::make_shared<Frame>(render::read_vtu(stored->file, stored->index));
-  if (looks_ != list_.looks()) readings_ = stored_readings(run_);
-  looks_ = list_.looks();
+  if (scans_ != list_.scans()) readings_ = stored_readings(run_);
+  scans_ = list_.scans();
   frame->readings = readings_until(all_at_once_ ? std::numeric_limits<double>::infinity() : frame->time);
   return frame;
 }

@@ -20,7 +20,7 @@ class ReplayFrames {
   const StoredRun& run_;
   FrameList list_;
   Readings readings_;  // all that are stored
-  long looks_ = 0;     // the folder's at the time when they were read
+  long scans_ = 0;     // the list's when they were read
   std::size_t handed_ = 0;
   bool all_at_once_ = false;
 };

@@ -5,7 +5,7 @@
 
 #include "apps/common/progress.hpp"
 #include "apps/common/stopwatch.hpp"
-#include "apps/replay/ahead.hpp"
+#include "apps/replay/read_ahead.hpp"
 #include "apps/run/outputs.hpp"
 
 namespace seiche::apps {
@@ -24,19 +24,19 @@ struct Span {
   long last = 0;              ///< frame
 };
 
-/// Hands stored frames to a taker, in order, until there are no more or `stop` says so. A taker has begin(RunInfo),
+/// Hands stored frames to a sink, in order, until there are no more or `stop` says so. A sink has begin(RunInfo),
 /// frame(pointer) and end(), which returns what went wrong; it is ended whatever happens.
-template <class Pointer, class Taker>
-Replayed replay_loop(Ahead<Pointer>& frames, Taker& taker, const RunInfo& run, const Span& span, Progress& progress,
-                     const std::function<bool()>& stop) {
+template <class Pointer, class FrameSink>
+Replayed replay_loop(ReadAhead<Pointer>& frames, FrameSink& sink, const RunInfo& run, const Span& span,
+                     Progress& progress, const std::function<bool()>& stop) {
   Replayed result;
   const Stopwatch watch;
   try {
-    taker.begin(run);
+    sink.begin(run);
     while (!stop()) {
       const Pointer frame = frames.next();
       if (!frame) break;
-      taker.frame(frame);
+      sink.frame(frame);
       ++result.frames;
       result.time = frame->time;
       progress.show({std::min(frame->time, span.end), span.end, frame->index, span.last, result.frames, watch.seconds(),
@@ -46,7 +46,7 @@ Replayed replay_loop(Ahead<Pointer>& frames, Taker& taker, const RunInfo& run, c
     result.trouble = error.what();
   }
   result.interrupted = stop();
-  add_trouble(result.trouble, taker.end());
+  add_trouble(result.trouble, sink.end());
   progress.clear();
   return result;
 }

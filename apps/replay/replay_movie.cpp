@@ -30,9 +30,9 @@ PicturePtr read_picture(FrameList& list, const std::stop_token& stop) {
 }
 
 // Hands pictures to the movie as they are.
-class PictureTaker {
+class PictureEncoder {
  public:
-  explicit PictureTaker(const fs::path& file) : movie_(render::movie(file)) {}
+  explicit PictureEncoder(const fs::path& file) : movie_(render::movie(file)) {}
 
   void begin(const RunInfo& run) { run_ = run; }
 
@@ -69,10 +69,10 @@ class PictureTaker {
 Replayed encode_again(const ReplayRequest& request, const Replay& replay, FrameList list, const fs::path& file,
                       const SignalWatch& signals) {
   const Span span = span_of(request, list, replay.run.info);
-  PictureTaker taker(file);
-  Ahead<PicturePtr> ahead([&](const std::stop_token& stop) { return read_picture(list, stop); }, pictures_ahead);
+  PictureEncoder encoder(file);
+  ReadAhead<PicturePtr> ahead([&](const std::stop_token& stop) { return read_picture(list, stop); }, pictures_ahead);
   Progress progress(Progress::suitable(request.quiet));
-  return replay_loop(ahead, taker, replay.info, span, progress, [&] { return signals.caught(); });
+  return replay_loop(ahead, encoder, replay.info, span, progress, [&] { return signals.caught(); });
 }
 
 void check_file(const fs::path& file, const StoredRun& run, bool overwrite) {
@@ -93,7 +93,7 @@ std::vector<StoredFrame> asked_for(const ReplayRequest& request, std::vector<Sto
 
 // Whether the run has pictures, or will have. Where one is missing, all are drawn anew, or can't be.
 bool has_pictures(const ReplayRequest& request, const StoredRun& run) {
-  if (request.latest && !run.record.ending) return run.scene.output.pictures;
+  if (request.latest && !run.record.ending) return run.scene.writes(OutputKind::pictures);
   const auto pictures = asked_for(request, listed_pictures(run)), frames = asked_for(request, stored_frames(run));
   if (!std::ranges::includes(pictures, frames, {}, &StoredFrame::index, &StoredFrame::index)) return false;
   const auto apart = [](const StoredFrame& a, const StoredFrame& b) { return b.index != a.index + 1; };
@@ -112,8 +112,9 @@ int replay_movie(const ReplayRequest& request) {
   const Stopwatch watch;
   const Replay replay = set_up(request);
   const OutputFolder own{request.run, replay.scene.name};
-  const fs::path file =
-      request.output.empty() ? PictureFolder{own.drawn_again(), own.scene}.movie("mp4") : request.output;
+  const fs::path file = request.output.empty()
+                            ? PictureFolder{own.drawn_again(), own.scene}.movie(render::MovieFormat::mp4)
+                            : request.output;
   const SignalWatch signals;
   const bool decoded = request.look.empty() && has_pictures(request, replay.run);
   FrameList list = list_files(request, replay.run, decoded ? listed_pictures : stored_frames, signals);
@@ -129,11 +130,11 @@ int replay_movie(const ReplayRequest& request) {
     ended = encode_again(request, replay, std::move(list), made, signals);
   } else {
     render::gl_description();
-    std::vector<std::unique_ptr<render::ImageSink>> takers;
-    takers.push_back(render::movie(made));
-    ended = draw_again(request, replay, std::move(list), std::move(takers), signals);
+    std::vector<std::unique_ptr<render::ImageSink>> image_sinks;
+    image_sinks.push_back(render::movie(made));
+    ended = draw_again(request, replay, std::move(list), std::move(image_sinks), signals);
   }
-  if (!replaced) return say_closing(request, ended, watch.seconds(), {{"movie", file}});
+  if (!replaced) return print_summary(request, ended, watch.seconds(), {{"movie", file}});
   const bool whole = ended.trouble.empty() && !ended.interrupted;
   if (whole) {
     render::publish(file);
@@ -141,7 +142,7 @@ int replay_movie(const ReplayRequest& request) {
     fs::remove(made);
     ended.frames = 0;  // of those drawn none is kept
   }
-  return say_closing(request, ended, watch.seconds(), {{whole ? "movie" : "as before", file}});
+  return print_summary(request, ended, watch.seconds(), {{whole ? "movie" : "as before", file}});
 }
 
 }  // namespace seiche::apps

@@ -21,7 +21,7 @@ namespace seiche::apps {
 namespace {
 
 constexpr std::size_t frames_ahead = 3;  // read, and waiting to be drawn
-constexpr std::chrono::milliseconds between_looks{500};
+constexpr std::chrono::milliseconds poll_interval{500};
 
 bool names(const ReplayRequest& request, const std::string& key) {
   return std::any_of(request.look.begin(), request.look.end(), [&](const Override& each) { return each.key == key; });
@@ -30,11 +30,11 @@ bool names(const ReplayRequest& request, const std::string& key) {
 // Curves need probes.csv; without it they are left out, unless they are asked for.
 void check_curves(const ReplayRequest& request, const StoredRun& run, Scene& scene) {
   const bool there = !run.record.ending || std::filesystem::exists(OutputFolder{run.folder, scene.name}.probes());
-  if ((scene.output.probes && there) || scene.look.curves == "none") return;
+  if ((scene.writes(OutputKind::probes) && there) || scene.look.curves == "none") return;
   if (names(request, "look.curves"))
-    throw BadFolder(
-        fmt::format("{} has no readings to draw curves of: {}", run.folder.string(),
-                    scene.output.probes ? "its probes.csv isn't there" : "it was run with output.probes = false"));
+    throw BadFolder(fmt::format(
+        "{} has no readings to draw curves of: {}", run.folder.string(),
+        scene.writes(OutputKind::probes) ? "its probes.csv isn't there" : "it was run with output.probes = false"));
   scene.look.curves = "none";
 }
 
@@ -44,32 +44,31 @@ FrameList::Wait patience(const SignalWatch& signals) {
     std::mutex mutex;
     std::unique_lock lock(mutex);
     std::condition_variable_any changed;
-    changed.wait_for(lock, stop, between_looks, [] { return false; });
+    changed.wait_for(lock, stop, poll_interval, [] { return false; });
     return !stop.stop_requested() && !signals.caught();
   };
 }
 
-// The range that holds every frame of the run, as "min,max"; Ctrl-C makes it a shorter search, and nothing is drawn.
-std::string range_of_run(const StoredRun& run, render::Quantity quantity, const SignalWatch& signals) {
+// The range that holds every frame of the run; Ctrl-C makes it a shorter search, and nothing is drawn.
+render::Range range_of_run(const StoredRun& run, Quantity quantity, const SignalWatch& signals) {
   std::optional<render::Range> whole;
   ReplayFrames frames(run, {run, stored_frames, {}});
-  Ahead<FramePtr> ahead([&](const std::stop_token& stop) { return frames.next(stop); }, frames_ahead);
+  ReadAhead<FramePtr> ahead([&](const std::stop_token& stop) { return frames.next(stop); }, frames_ahead);
   while (const FramePtr frame = signals.caught() ? nullptr : ahead.next()) {
     const render::Range range = render::fluid_range(*frame, quantity);
     if (!whole) whole = range;
     whole = render::Range{std::min(whole->low, range.low), std::max(whole->high, range.high)};
   }
-  const render::Range rounded = render::rounded(whole.value_or(render::Range{}));
-  return fmt::format("{:.17g},{:.17g}", rounded.low, rounded.high);
+  return render::rounded(whole.value_or(render::Range{}));
 }
 
 // Why there is nothing to show.
-std::string why_nothing(const StoredRun& run, FrameList::Look look) {
-  const auto all = look(run);
+std::string why_nothing(const StoredRun& run, FrameList::Scan scan) {
+  const auto all = scan(run);
   if (!all.empty())
     return fmt::format("none of the frames in {} is among those asked for: it has {} to {}, from {:.6g} to {:.6g} s",
                        run.folder.string(), all.front().index, all.back().index, all.front().time, all.back().time);
-  if (!run.scene.output.vtu)
+  if (!run.scene.writes(OutputKind::vtu))
     return fmt::format("{} has no VTU files to draw from: it was run with output.vtu = false", run.folder.string());
   return fmt::format("{} has no frames{}", run.folder.string(),
                      run.record.ending ? "" : " yet; --latest waits for them");
@@ -84,7 +83,7 @@ Replay set_up(const ReplayRequest& request) {
   check_curves(request, replay.run, replay.scene);
   render::check_look(replay.scene.look);
   render::check_dimension(replay.scene.look, replay.scene.parameters.dimension());
-  if (request.latest && replay.scene.look.range == "run")
+  if (request.latest && replay.scene.look.range.source == render::RangeSource::run)
     throw std::invalid_argument(
         "--latest draws frames as they come, and the range \"run\" needs all of them; give --range scene, frame or "
         "min,max");
@@ -97,11 +96,12 @@ Replay set_up(const ReplayRequest& request) {
   return replay;
 }
 
-FrameList list_files(const ReplayRequest& request, const StoredRun& run, FrameList::Look look,
+FrameList list_files(const ReplayRequest& request, const StoredRun& run, FrameList::Scan scan,
                      const SignalWatch& signals) {
-  FrameList list(run, look, request.frames, request.latest ? patience(signals) : FrameList::Wait{});
-  const bool to_come = request.latest && !run.record.ending && (look != stored_frames || run.scene.output.vtu);
-  if (list.found().empty() && !to_come) throw BadFolder(why_nothing(run, look));
+  FrameList list(run, scan, request.frames, request.latest ? patience(signals) : FrameList::Wait{});
+  const bool to_come =
+      request.latest && !run.record.ending && (scan != stored_frames || run.scene.writes(OutputKind::vtu));
+  if (list.found().empty() && !to_come) throw BadFolder(why_nothing(run, scan));
   check_there(list.found());
   return list;
 }
@@ -118,30 +118,30 @@ Span span_of(const ReplayRequest& request, const FrameList& list, const RunInfo&
 }
 
 Replayed draw_again(const ReplayRequest& request, const Replay& replay, FrameList list,
-                    std::vector<std::unique_ptr<render::ImageSink>> takers, const SignalWatch& signals) {
-  for (auto& taker : takers) taker = render::on_thread(std::move(taker));
+                    std::vector<std::unique_ptr<render::ImageSink>> image_sinks, const SignalWatch& signals) {
+  for (auto& image_sink : image_sinks) image_sink = render::on_thread(std::move(image_sink));
   render::Look look = replay.scene.look;
-  const auto quantity = render::quantity_of(look.quantity);
-  const bool whole = look.range == "run" && render::classes_of(quantity).empty();
-  if (whole) look.range = range_of_run(replay.run, quantity, signals);
+  const bool whole = look.range.source == render::RangeSource::run && render::classes_of(look.quantity).empty();
+  if (whole) look.range = {render::RangeSource::given, range_of_run(replay.run, look.quantity, signals)};
   const Span span = span_of(request, list, replay.run.info);
   ReplayFrames frames(replay.run, std::move(list));
   if (whole) frames.hand_out_all_readings();
   Outputs outputs;
-  outputs.add("pictures", render::pictures(look, std::move(takers), replay.run.folder));
-  Ahead<FramePtr> ahead([&](const std::stop_token& stop) { return frames.next(stop); }, frames_ahead);
+  outputs.add("pictures", render::pictures(look, std::move(image_sinks), replay.run.folder));
+  ReadAhead<FramePtr> ahead([&](const std::stop_token& stop) { return frames.next(stop); }, frames_ahead);
   Progress progress(Progress::suitable(request.quiet));
   return replay_loop(ahead, outputs, replay.info, span, progress, [&] { return signals.caught(); });
 }
 
-int say_closing(const ReplayRequest& request, const Replayed& ended, double seconds, const std::vector<Place>& places) {
+int print_summary(const ReplayRequest& request, const Replayed& ended, double seconds,
+                  const std::vector<MadeFile>& made_files) {
   const bool bad = !ended.trouble.empty();
   std::string text = fmt::format("{}: {} frame{} in {}\n",
                                  bad                 ? fmt::format("{}\nKept", ended.trouble)
                                  : ended.interrupted ? "Interrupted"
                                                      : "Done",
                                  ended.frames, ended.frames == 1 ? "" : "s", clock_text(seconds));
-  for (const auto& [what, path] : places)
+  for (const auto& [what, path] : made_files)
     if (std::filesystem::exists(path)) text += fmt::format("  {:<9} {}\n", what, path.string());
   if (bad) fmt::print(stderr, "seiche: {}", text);
   if (!bad && !request.quiet) fmt::print("{}", text);

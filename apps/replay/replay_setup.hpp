@@ -22,20 +22,21 @@ Replay set_up(const ReplayRequest& request);
 
 /// The run's VTU files, or pictures, that are asked for; if it is to be followed, those to come as well. Throws
 /// BadFolder where there are none.
-FrameList list_files(const ReplayRequest& request, const StoredRun& run, FrameList::Look look,
+FrameList list_files(const ReplayRequest& request, const StoredRun& run, FrameList::Scan scan,
                      const SignalWatch& signals);
 
 /// Of the files that are there or, if the run is to be followed, will be.
 Span span_of(const ReplayRequest& request, const FrameList& list, const RunInfo& run);
 
-/// Draws stored frames for takers, on this thread, while others read what comes next.
+/// Draws stored frames for sinks, on this thread, while others read what comes next.
 Replayed draw_again(const ReplayRequest& request, const Replay& replay, FrameList list,
-                    std::vector<std::unique_ptr<render::ImageSink>> takers, const SignalWatch& signals);
+                    std::vector<std::unique_ptr<render::ImageSink>> image_sinks, const SignalWatch& signals);
 
 /// A thing that was made, as in {"movie", "out/x.mp4"}.
-using Place = std::pair<const char*, std::filesystem::path>;
+using MadeFile = std::pair<const char*, std::filesystem::path>;
 
 /// Says how it ended and where everything is; returns what the program exits with.
-int say_closing(const ReplayRequest& request, const Replayed& ended, double seconds, const std::vector<Place>& places);
+int print_summary(const ReplayRequest& request, const Replayed& ended, double seconds,
+                  const std::vector<MadeFile>& made_files);
 
 }  // namespace seiche::apps

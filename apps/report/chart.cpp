@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "apps/report/html.hpp"
+#include "render/curves.hpp"
 #include "render/picture.hpp"
 
 namespace seiche::apps::report {
@@ -36,7 +37,7 @@ std::string grid(const Axes& axes) {
   }
   const render::Axis times = render::axis_of({0, axes.end}, time_parts);
   for (std::size_t i = 0; i < times.ticks.size(); ++i) {
-    const std::string x = percent(axes.across(times.ticks[i].place));
+    const std::string x = percent(axes.across(times.ticks[i].position));
     fmt::format_to(out, "<line class=\"tick\" x1=\"{}\" x2=\"{}\" y1=\"100%\" y2=\"100%\"/>", x, x);
     fmt::format_to(out, "<text class=\"time{}\" x=\"{}\" y=\"100%\" dy=\"1.6em\">{}</text>\n", i % 2 == 1 ? " odd" : "",
                    x, times.ticks[i].label);
@@ -82,10 +83,9 @@ std::string note(const Chart& chart, const Extent& extent) {
   std::string text;
   if (chart.means) text = "Running means; probes.csv has the readings themselves. ";
   if (extent.beyond != 0) {
-    const std::size_t unit = chart.title.rfind(" ["), end = chart.title.rfind(']');
-    const std::string name = unit == std::string::npos ? "" : chart.title.substr(unit + 2, end - unit - 2);
-    text += fmt::format("{} beyond the axis are cut off; the furthest is {:.{}f} {}.",
-                        chart.means ? "Means" : "Readings", extent.beyond, std::abs(extent.beyond) < 100 ? 3 : 0, name);
+    text +=
+        fmt::format("{} beyond the axis are cut off; the furthest is {:.{}f} {}.", chart.means ? "Means" : "Readings",
+                    extent.beyond, std::abs(extent.beyond) < 100 ? 3 : 0, render::raised_powers(chart.column.unit));
   }
   return text.empty() ? text : fmt::format("<p class=\"note\">{}</p>\n", escaped(text));
 }

@@ -26,6 +26,9 @@ bool ends_early(double to, const std::vector<double>& all) {
   return to < 0.99 * *std::max_element(all.begin(), all.end());
 }
 
+// Of no sensor there are no figures either, and their column is left out.
+std::string heading(const std::optional<seiche::Column>& sensor) { return sensor ? heading_of(*sensor) : ""; }
+
 Column noise_column(const std::vector<Measures>& all, const Measured& sensors) {
   std::vector<double> ends{0};
   for (const Measures& one : all)
@@ -35,18 +38,19 @@ Column noise_column(const std::vector<Measures>& all, const Measured& sensors) {
     return Cell{fmt::format("{:.3g}", 100 * one.noise->value),
                 ends_early(one.noise->to, ends) ? fmt::format("{:.3g}–{:.3g} s", one.noise->from, one.noise->to) : ""};
   };
-  return {title_of(sensors.pressure), "Noise", "% of ρgh",
+  return {heading(sensors.pressure), "Noise", "% of ρgh",
           "Root mean square of what lies above 10 Hz in the pressure, over the weight of the still liquid, ρ g h; "
           "from 0.5 to 3 s, or all of a run that ends within a second.",
           cells(all, cell)};
 }
 
 // Whether the figure above each panel is of this sensor.
-bool is_above_panels(const Report& report, const std::string& sensor) {
-  const std::vector<std::string> names = charted(report.runs.front().run);
-  const auto first = std::find_if(names.begin(), names.end(),
-                                  [&](const std::string& name) { return !references_of(report, name).empty(); });
-  return report.runs.size() > 1 && first != names.end() && *first == sensor;
+bool is_above_panels(const Report& report, const std::optional<seiche::Column>& sensor) {
+  const std::vector<seiche::Column> columns = charted(report.runs.front().run);
+  const auto first = std::find_if(columns.begin(), columns.end(), [&](const seiche::Column& column) {
+    return !references_of(report, column.name).empty();
+  });
+  return report.runs.size() > 1 && first != columns.end() && *first == sensor;
 }
 
 Column error_column(const Report& report, const std::vector<Measures>& all, const Measured& sensors,
@@ -66,7 +70,7 @@ Column error_column(const Report& report, const std::vector<Measures>& all, cons
   };
   const bool told = number == 0 && is_above_panels(report, sensors.elevation);
   return {
-      title_of(sensors.elevation), "Off " + reference.label, "mm RMS",
+      heading(sensors.elevation), "Off " + reference.label, "mm RMS",
       fmt::format("Root mean square of the difference from the reference over the times that both have{}; in small, "
                   "in % of the same of still liquid.",
                   told ? ", as above the panels at the movie’s end where there is room" : ""),
@@ -92,7 +96,7 @@ void add_crests(const Report& report, const std::vector<Measures>& all, const Me
   const auto leading =
       compared ? crests_of(references.front().series, least_crest(first.run.info), most_crests) : std::vector<Crest>();
   for (std::size_t number = 0; number < most_crests; ++number) {
-    Column column{title_of(sensors.elevation), fmt::format("Crest\u00a0{}", number + 1), "mm", note,
+    Column column{heading(sensors.elevation), fmt::format("Crest\u00a0{}", number + 1), "mm", note,
                   cells(all, [&](const Measures& one) { return crest_cell(one.crests, number); })};
     for (const render::Reference& reference : references)
       column.cells.push_back(crest_cell(crests_near(reference.series, leading, reach), number));
@@ -133,7 +137,8 @@ void add_costs(const Report& report, std::vector<Column>& columns) {
   columns.push_back(
       {"Cost", "Iterations", "a step", "Of the pressure solver.", known_cells(report, [](const ReportRun& run) {
          const Statistics& s = run.run.record.statistics;
-         return s.steps > 0 ? fmt::format("{:.1f}", static_cast<double>(s.iterations) / s.steps) : "";
+         return s.steps > 0 ? fmt::format("{:.1f}", static_cast<double>(s.iterations) / static_cast<double>(s.steps))
+                            : "";
        })});
   columns.push_back({"Cost", "Wall time", "s", "", known_cells(report, [](const ReportRun& run) {
                        return fmt::format("{:.1f}", run.run.record.times.total);

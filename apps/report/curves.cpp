@@ -28,10 +28,9 @@ std::vector<double> sorted(const render::Series& series, double end) {
   return values;
 }
 
-std::string column_named(const RunInfo& run, const std::string& sensor) {
-  for (const std::string& column : run.sensors)
-    if (render::bare_name(column) == sensor) return column;
-  return sensor;
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 // Leaves one trace where all runs have the same, but that some stopped sooner.
@@ -49,7 +48,7 @@ void merge(std::vector<Trace>& traces) {
 
 // Draws the runs as the movie above the curves does.
 void settle_as_in_pictures(Chart& chart) {
-  render::SensorCurve curve;
+  render::SensorCurve curve{.column = chart.column};
   curve.title = chart.title;
   curve.end = chart.end;
   for (const Trace& trace : chart.traces) curve.traces.push_back({.series = trace.series, .broken_off = trace.failed});
@@ -63,19 +62,17 @@ void settle_as_in_pictures(Chart& chart) {
 
 }  // namespace
 
-std::string title_of(const std::string& column) {
-  std::string title = render::curve_title(column);
-  if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return title;
-}
+std::string title_of(const seiche::Column& column) { return capitalised(render::curve_title(column)); }
 
-std::vector<std::string> charted(const StoredRun& run) {
+std::string heading_of(const seiche::Column& column) { return capitalised(column.title); }
+
+std::vector<seiche::Column> charted(const StoredRun& run) {
   render::Look look = run.scene.look;
   if (render::named_curves(look.curves) == std::vector<std::string>{}) look.curves = "auto";
-  std::vector<std::string> names;
+  std::vector<seiche::Column> columns;
   for (const std::size_t column : render::chosen_columns(look, run.info.sensors))
-    names.push_back(render::bare_name(run.info.sensors[column]));
-  return names;
+    columns.push_back(run.info.sensors[column]);
+  return columns;
 }
 
 double reached(const ReportRun& run) {
@@ -99,8 +96,8 @@ std::vector<render::Reference> references_of(const Report& report, const std::st
 std::vector<Chart> charts_of(const Report& report) {
   const StoredRun& first = report.runs.front().run;
   std::vector<Chart> charts;
-  for (const std::string& sensor : charted(first)) {
-    Chart chart{sensor, title_of(column_named(first.info, sensor)), reached(report), {}};
+  for (const seiche::Column& column : charted(first)) {
+    Chart chart{column, title_of(column), reached(report), {}};
     for (std::size_t i = 0; i < report.runs.size(); ++i) {
       const ReportRun& one = report.runs[i];
       const auto& ending = one.run.record.ending;
@@ -109,13 +106,13 @@ std::vector<Chart> charts_of(const Report& report) {
                   false,
                   false,
                   ending && ending->status == Ending::Status::failed,
-                  column_of(one.readings, one.run.info, sensor)};
+                  column_of(one.readings, one.run.info, column.name)};
       if (!trace.series.time.empty()) chart.traces.push_back(std::move(trace));
     }
     if (chart.traces.empty() || chart.end <= 0) continue;
     merge(chart.traces);
     if (report.runs.size() > 1) settle_as_in_pictures(chart);
-    const std::vector<render::Reference> references = references_of(report, sensor);
+    const std::vector<render::Reference> references = references_of(report, column.name);
     for (std::size_t i = 0; i < references.size(); ++i)
       chart.traces.push_back({references[i].label, i, false, true, false, references[i].series});
     charts.push_back(std::move(chart));

@@ -3,11 +3,15 @@
 #include <vector>
 
 #include "apps/report/contents.hpp"
+#include "solver/column.hpp"
 
 namespace seiche::apps::report {
 
-/// "Elevation, left 20mm [m]" of the column "eta_left_20mm [m]"; so of a name without a unit.
-std::string title_of(const std::string& column);
+/// "Elevation, left 20mm [m]" of the column eta_left_20mm.
+std::string title_of(const seiche::Column& column);
+
+/// The same without the unit.
+std::string heading_of(const seiche::Column& column);
 
 /// One curve of a chart: a run's readings, or what they are compared with.
 struct Trace {
@@ -21,15 +25,15 @@ struct Trace {
 
 /// One sensor of all runs over one another.
 struct Chart {
-  std::string sensor;  ///< without its unit
-  std::string title;   ///< as in "Elevation, left [m]"
-  double end = 0;      ///< of the time axis [s]
+  seiche::Column column;
+  std::string title;  ///< as in "Elevation, left [m]"
+  double end = 0;     ///< of the time axis [s]
   std::vector<Trace> traces;
   bool means = false;  ///< the runs' traces are running means, as the title says
 };
 
-/// The sensors that the run's pictures have under them, without units; where its look wants none there, the usual ones.
-std::vector<std::string> charted(const StoredRun& run);
+/// The sensors that the run's pictures have under them; where its look wants none there, the usual ones.
+std::vector<seiche::Column> charted(const StoredRun& run);
 
 /// Time that a run came to [s].
 double reached(const ReportRun& run);

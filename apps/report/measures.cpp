@@ -6,7 +6,6 @@
 
 #include "apps/common/filter.hpp"
 #include "apps/report/curves.hpp"
-#include "render/curves.hpp"
 #include "render/panels.hpp"
 
 namespace seiche::apps::report {
@@ -57,32 +56,37 @@ std::optional<double> drift_of(const render::Series& volume) {
   return mean(volume.value.end() - part) / before - 1;
 }
 
-std::string first_of(const std::vector<std::string>& names, const char* prefix) {
-  const auto found =
-      std::find_if(names.begin(), names.end(), [&](const std::string& name) { return name.starts_with(prefix); });
-  return found == names.end() ? "" : *found;
+std::optional<seiche::Column> first_of(const std::vector<seiche::Column>& columns, ColumnKind kind) {
+  for (const seiche::Column& column : columns)
+    if (column.kind == kind) return column;
+  return {};
+}
+
+// Empty where there is no such column.
+render::Series readings_of(const ReportRun& one, const std::optional<seiche::Column>& column) {
+  return column ? column_of(one.readings, one.run.info, column->name) : render::Series();
 }
 
 }  // namespace
 
 Measured measured_sensors(const StoredRun& run) {
-  std::vector<std::string> names = charted(run);
-  for (const std::string& column : run.info.sensors) names.push_back(render::bare_name(column));
-  return {first_of(names, "p_"), first_of(names, "eta_")};
+  std::vector<seiche::Column> columns = charted(run);
+  columns.insert(columns.end(), run.info.sensors.begin(), run.info.sensors.end());
+  return {first_of(columns, ColumnKind::pressure), first_of(columns, ColumnKind::elevation)};
 }
 
 Measures measures_of(const ReportRun& one, const Measured& sensors, const std::vector<render::Reference>& references) {
   const RunInfo& info = one.run.info;
   const double reach = crest_reach(one.run.scene);
-  const render::Series elevation = column_of(one.readings, info, sensors.elevation);
+  const render::Series elevation = readings_of(one, sensors.elevation);
   Measures measures;
-  measures.noise = noise_of(column_of(one.readings, info, sensors.pressure), info);
+  measures.noise = noise_of(readings_of(one, sensors.pressure), info);
   for (const render::Reference& reference : references)
     measures.errors.push_back(error_of(elevation, reference.series));
   const render::Series& leading = references.empty() ? elevation : references.front().series;
   measures.crests = crests_of(leading, least_crest(info), most_crests);
   if (!references.empty()) measures.crests = crests_near(elevation, measures.crests, reach);
-  measures.drift = drift_of(column_of(one.readings, info, "volume"));
+  measures.drift = drift_of(readings_of(one, first_of(info.sensors, ColumnKind::volume)));
   return measures;
 }
 

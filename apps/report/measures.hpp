@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/report/contents.hpp"
+#include "solver/column.hpp"
 
 namespace seiche::apps::report {
 
@@ -34,15 +35,14 @@ struct Measures {
   std::optional<double> drift;               ///< of the volume: mean of the last tenth less that of the first, of it
 };
 
-/// Which sensors are measured, without units: the first pressure and the first elevation of those charted, else of
-/// all. Empty: the run has none.
+/// Which sensors are measured: the first pressure and the first elevation of those charted, else of all.
 struct Measured {
-  std::string pressure, elevation;
+  std::optional<seiche::Column> pressure, elevation;
 };
 Measured measured_sensors(const StoredRun& run);
 
 /// @param references of the elevation
-Measures measures_of(const ReportRun& run, const Measured& sensors, const std::vector<render::Reference>& references);
+Measures measures_of(const ReportRun& one, const Measured& sensors, const std::vector<render::Reference>& references);
 
 /// The first crests of a reference, or of a run without one, `most` at most. One lies between a rise above `least` and
 /// a fall below minus that, so that noise makes none; a wave that hasn't fallen yet has none.

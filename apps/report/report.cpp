@@ -21,7 +21,7 @@ std::vector<Still> even_stills(const std::vector<fs::path>& pictures, double fra
     const std::string number = picture.stem();
     long index = 0;
     std::from_chars(number.data(), number.data() + number.size(), index);
-    stills.push_back({picture, std::min(end, index * frame_interval)});
+    stills.push_back({picture, std::min(end, static_cast<double>(index) * frame_interval)});
   }
   return stills;
 }
@@ -29,7 +29,7 @@ std::vector<Still> even_stills(const std::vector<fs::path>& pictures, double fra
 Report report_of(const StoredRun& run, const std::string& command) {
   Report result{run.scene.name, {{run, run.scene.name, stored_readings(run)}}, {}, {}, command};
   const OutputFolder files{run.folder, run.scene.name};
-  if (run.scene.output.movie != "none") result.movie = files.movie(run.scene.output.movie);
+  if (run.scene.writes(OutputKind::movie)) result.movie = files.movie(run.scene.output.movie);
   result.stills = even_stills(stored_pictures(run), run.info.frame_interval, report::reached(result));
   return result;
 }

@@ -32,11 +32,11 @@ Size size_of(const Report& report) {
 
 // Its own controls are for a page without scripts: they would darken the curves at its foot.
 std::string movie_html(const fs::path& movie, const fs::path& folder) {
-  const std::string ending = movie.extension();
+  const render::MovieRow& format = render::format_of(movie);
   const bool embedded = fs::file_size(movie) <= largest_movie;
-  const std::string type = ending == ".gif" ? "image/gif" : "video/" + ending.substr(1);
-  const std::string source = embedded ? data_url(type, render::read_file(movie)) : url_of(fs::proximate(movie, folder));
-  if (ending == ".gif") return fmt::format("<img class=\"movie\" alt=\"The movie of the run\" src=\"{}\">\n", source);
+  const std::string source = embedded ? data_url(std::string(format.media_type), render::read_file(movie))
+                                      : url_of(fs::proximate(movie, folder));
+  if (!format.video) return fmt::format("<img class=\"movie\" alt=\"The movie of the run\" src=\"{}\">\n", source);
   return fmt::format(
       "<video class=\"movie\" controls loop muted playsinline preload=\"auto\" aria-label=\"The movie of the run\" "
       "src=\"{}\"></video>\n",
@@ -77,14 +77,14 @@ std::string bar_html(std::size_t stills, bool movie) {
 }
 
 // What can be done with it.
-std::string hint(const std::string& movie, bool stills) {
+std::string hint(const render::MovieRow* movie, bool stills) {
   std::vector<std::string> ways;
-  if (!movie.empty() && movie != ".gif") ways.push_back("play it");
+  if (movie && movie->video) ways.push_back("play it");
   if (stills) ways.push_back("slide through the stills");
   ways.push_back("point at a time in the curves");
   std::string sentence = fmt::format("{}: all keep one clock.", fmt::join(ways, " or "));
   sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
-  return sentence + (movie == ".gif" ? " The movie, a GIF, goes on by itself." : "");
+  return sentence + (movie && !movie->video ? " The movie, a GIF, goes on by itself." : "");
 }
 
 }  // namespace
@@ -92,14 +92,15 @@ std::string hint(const std::string& movie, bool stills) {
 std::string stage_html(const Report& report, const fs::path& folder) {
   const bool movie = fs::is_regular_file(report.movie);
   if (!movie && report.stills.empty()) return "";
-  const bool dark = report.runs.front().run.scene.look.background == "black";
+  const bool dark = report.runs.front().run.scene.look.background == render::Background::black;
   const Size size = size_of(report);
   std::string html = fmt::format("<figure class=\"stage{}\" style=\"--wide:{};--high:{}\">\n<div class=\"screen\">\n",
                                  dark ? " black" : "", size.width, size.height);
   if (movie) html += movie_html(report.movie, folder);
   if (!report.stills.empty()) html += "<img id=\"still\" alt=\"\" hidden>\n";
   html += "</div>\n" + bar_html(report.stills.size(), movie) + strip_html(report.stills);
-  html += fmt::format("<figcaption>{}", hint(movie ? report.movie.extension().string() : "", report.stills.size() > 1));
+  html +=
+      fmt::format("<figcaption>{}", hint(movie ? &render::format_of(report.movie) : nullptr, report.stills.size() > 1));
   return html + (movie ? link_note(report.movie, folder) : "") + "</figcaption>\n</figure>\n";
 }
 

@@ -88,7 +88,8 @@ std::string row(const std::string& name, const std::string& style, const std::ve
 
 std::string table_html(const Report& report) {
   const Measured sensors = measured_sensors(report.runs.front().run);
-  const std::vector<render::Reference> references = references_of(report, sensors.elevation);
+  const std::vector<render::Reference> references =
+      sensors.elevation ? references_of(report, sensors.elevation->name) : std::vector<render::Reference>();
   const std::vector<Column> columns = columns_of(report, sensors, references);
   const bool alone = report.runs.size() == 1;
 

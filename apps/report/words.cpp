@@ -78,7 +78,7 @@ std::string length_text(double metres) {
 std::string tank_sentence(const Report& report) {
   const auto all = parameters_of(report);
   const auto has = [&](const Number& number) {
-    return std::all_of(all.begin(), all.end(), [&](const Parameters* p) { return number(*p) > 0; });
+    return std::all_of(all.begin(), all.end(), [&](const Parameters* p) { return number(*p) != 0; });
   };
   const auto length = [&](const Number& number) { return range_text(report, number, length_text); };
   const Number column = [](const Parameters&p) { return p.fluid.column; },

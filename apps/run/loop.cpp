@@ -34,12 +34,12 @@ Ending::Status step_through(Simulation& simulation, FrameQueue& queue, const Run
   const Stopwatch watch;
   const long last = last_frame(run);
   for (long k = 0; k <= last; ++k) {
-    const double target = k == last ? run.end : k * run.frame_interval;
+    const double target = k == last ? run.end : static_cast<double>(k) * run.frame_interval;
     while (simulation.time() < target) {
       try {
         simulation.step(target);
       } catch (const RunFailure&) {
-        push_broken(simulation, queue, k, (k - 1) * run.frame_interval);
+        push_broken(simulation, queue, k, static_cast<double>(k - 1) * run.frame_interval);
         throw;
       }
       if (queue.failed()) return Ending::Status::failed;

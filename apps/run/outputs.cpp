@@ -52,15 +52,30 @@ void add_trouble(std::string& troubles, const std::string& another) {
   if (!another.empty() && another != troubles) troubles += (troubles.empty() ? "" : "; ") + another;
 }
 
+namespace {
+
+// Kinds that are made of frames, in the order in which each frame is written. Pictures and movies are made of images,
+// and the report of what the others left.
+struct Maker {
+  OutputKind kind;
+  std::unique_ptr<Sink> (*sink)(const OutputFolder& folder);
+};
+const Maker makers[] = {
+    {OutputKind::probes, [](const OutputFolder& folder) { return probes_csv(folder.probes()); }},
+    {OutputKind::vtu, [](const OutputFolder& folder) { return render::vtu_series(folder.path); }},
+};
+
+}  // namespace
+
 Outputs make_outputs(const Scene& scene, const OutputFolder& folder) {
   Outputs outputs;
-  if (scene.output.probes) outputs.add("probes", probes_csv(folder.probes()));
-  if (scene.output.vtu) outputs.add("vtu", render::vtu_series(folder.path));
+  for (const Maker& maker : makers)
+    if (scene.writes(maker.kind)) outputs.add(std::string(output_row(maker.kind).key), maker.sink(folder));
   if (scene.draws()) {
-    std::vector<std::unique_ptr<render::ImageSink>> takers;
-    if (scene.output.pictures) takers.push_back(render::png_series(folder.frames()));
-    if (scene.output.movie != "none") takers.push_back(render::movie(folder.movie(scene.output.movie)));
-    outputs.add("pictures", render::pictures(scene.look, std::move(takers), folder.path));
+    std::vector<std::unique_ptr<render::ImageSink>> image_sinks;
+    if (scene.writes(OutputKind::pictures)) image_sinks.push_back(render::png_series(folder.frames()));
+    if (scene.writes(OutputKind::movie)) image_sinks.push_back(render::movie(folder.movie(scene.output.movie)));
+    outputs.add("pictures", render::pictures(scene.look, std::move(image_sinks), folder.path));
   }
   return outputs;
 }
@@ -68,7 +83,7 @@ Outputs make_outputs(const Scene& scene, const OutputFolder& folder) {
 void check_outputs(const Scene& scene, const OutputFolder& folder) {
   // Each takes a tenth of a second and more: side by side.
   std::future<void> encoder;
-  if (scene.output.movie != "none")
+  if (scene.writes(OutputKind::movie))
     encoder = std::async(std::launch::async, render::check_movie, folder.movie(scene.output.movie), scene.look.width,
                          scene.look.height);
   if (scene.draws()) render::gl_description();

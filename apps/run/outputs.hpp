@@ -19,7 +19,7 @@ class Outputs {
   void begin(const RunInfo& run);
   void frame(const FramePtr& frame);
 
-  /// Ends every sink that began, whatever befalls the others, and lets go of all. Returns what went wrong, empty if
+  /// Ends every sink that began, whatever happens to the others, and lets go of all. Returns what went wrong, empty if
   /// nothing.
   std::string end();
 

@@ -1,7 +1,6 @@
 #include "apps/run/probes_csv.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <fstream>
 #include <iterator>
@@ -17,7 +16,9 @@ class ProbesCsv : public Sink {
   void begin(const RunInfo& run) override {
     columns_ = run.sensors.size();
     out_.open(file_);
-    write(fmt::format("t [s]{}{}\n", columns_ ? "," : "", fmt::join(run.sensors, ",")));
+    std::string titles = "t [s]";
+    for (const Column& column : run.sensors) titles.append(",").append(header(column));
+    write(titles + '\n');
   }
 
   void frame(const FramePtr& frame) override {

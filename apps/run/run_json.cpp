@@ -80,7 +80,7 @@ Json steps(const Statistics& s) {
 
 Json pressure(const Statistics& s) {
   return {{"iterations", s.iterations},
-          {"iterations_per_step", s.steps > 0 ? static_cast<double>(s.iterations) / s.steps : 0},
+          {"iterations_per_step", s.steps > 0 ? static_cast<double>(s.iterations) / static_cast<double>(s.steps) : 0},
           {"worst_residual", s.worst_residual}};
 }
 
@@ -127,7 +127,8 @@ void read_parameters(const nlohmann::json& json, Scene& scene) {
     list.reset(scene, tables.size());
     for (std::size_t row = 0; row < tables.size(); ++row)
       for (const Member& member : list.members)
-        refuse_if(assign(list, member, scene, row, value_from(tables[row].at(std::string(member.key)))));
+        if (const auto found = tables[row].find(std::string(member.key)); found != tables[row].end())
+          refuse_if(assign(list, member, scene, row, value_from(*found)));
   }
 }
 

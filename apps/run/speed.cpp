@@ -43,7 +43,8 @@ double Times::solver() const { return sum(stages); }
 
 double particle_steps_per_second(const Statistics& statistics, const Times& times) {
   const double seconds = times.solver();
-  return seconds > 0 ? static_cast<double>(statistics.fluid_particles) * statistics.steps / seconds : 0;
+  return seconds > 0 ? static_cast<double>(statistics.fluid_particles) * static_cast<double>(statistics.steps) / seconds
+                     : 0;
 }
 
 double waited_share(const Times& times) { return times.total > 0 ? times.waited / times.total : 0; }

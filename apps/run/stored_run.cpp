@@ -9,7 +9,6 @@
 #include "apps/common/csv.hpp"
 #include "apps/common/output_folder.hpp"
 #include "apps/run/run_info.hpp"
-#include "render/curves.hpp"
 #include "render/files.hpp"
 
 namespace fs = std::filesystem;
@@ -106,7 +105,7 @@ Readings stored_readings(const StoredRun& run) {
   text.erase(text.rfind('\n') + 1);
   const Csv table(text, file.string());
   std::vector<std::string> titles{"t [s]"};
-  titles.insert(titles.end(), run.info.sensors.begin(), run.info.sensors.end());
+  for (const Column& column : run.info.sensors) titles.push_back(header(column));
   if (table.titles() != titles)
     throw BadFolder(fmt::format("{} has other columns than the sensors in run.json", file.string()));
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -117,14 +116,11 @@ Readings stored_readings(const StoredRun& run) {
 }
 
 render::Series column_of(const Readings& readings, const RunInfo& info, const std::string& sensor) {
-  const auto found = std::find_if(info.sensors.begin(), info.sensors.end(),
-                                  [&](const std::string& title) { return render::bare_name(title) == sensor; });
+  const std::size_t found = find_column(info.sensors, sensor), width = info.sensors.size();
   render::Series series;
-  if (found == info.sensors.end()) return series;
+  if (found == width) return series;
   series.time = readings.time;
-  const std::size_t width = info.sensors.size();
-  for (std::size_t k = found - info.sensors.begin(); k < readings.values.size(); k += width)
-    series.value.push_back(readings.values[k]);
+  for (std::size_t k = found; k < readings.values.size(); k += width) series.value.push_back(readings.values[k]);
   return series;
 }
 

@@ -43,7 +43,7 @@ std::vector<std::filesystem::path> stored_pictures(const StoredRun& run);
 /// out. Empty where the run wrote none. Throws BadFolder, BadScene.
 Readings stored_readings(const StoredRun& run);
 
-/// One column of the readings, by its name without unit, over time; empty where there is none.
+/// One column of the readings, by its name, over time; empty where there is none.
 render::Series column_of(const Readings& readings, const RunInfo& info, const std::string& sensor);
 
 }  // namespace seiche::apps

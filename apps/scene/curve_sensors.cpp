@@ -45,7 +45,7 @@ std::vector<Named> named_sensors(const Settings& settings) {
 
 std::vector<Complaint> curve_complaints(const Settings& settings, const Scene& scene) {
   std::vector<std::string> sensors;
-  for (const std::string& column : sensor_columns(scene.parameters)) sensors.push_back(render::bare_name(column));
+  for (const Column& column : sensor_columns(scene.parameters)) sensors.push_back(column.name);
   std::vector<Complaint> complaints;
   for (const Named& named : named_sensors(settings)) {
     if (std::find(sensors.begin(), sensors.end(), named.sensor) != sensors.end()) continue;

@@ -6,6 +6,7 @@
 
 #include "apps/scene/lists.hpp"
 #include "apps/scene/options.hpp"
+#include "solver/column.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -30,7 +31,7 @@ Json key_schema(const Key& key, const Value& value) {
   if (!key.unit.empty()) schema["x-unit"] = key.unit;
   if (const auto* range = std::get_if<Range>(&key.rule)) add_range(schema, *range);
   if (const auto* choices = std::get_if<Choices>(&key.rule)) schema["enum"] = *choices;
-  if (std::holds_alternative<Name>(key.rule)) schema["pattern"] = "^[a-z0-9_]+$";
+  if (std::holds_alternative<Name>(key.rule)) schema["pattern"] = column_name_pattern;
   std::visit([&](const auto& plain) { schema["default"] = plain; }, value);
   return schema;
 }

@@ -3,8 +3,6 @@
 namespace seiche::apps {
 namespace {
 
-constexpr double huge = 1000;  // Above any tank [m].
-
 std::string get_moved(const Scene& s, std::size_t row) {
   return std::string(name(s.parameters.motion.harmonics[row].of));
 }
@@ -21,11 +19,22 @@ Choices movable() {
   return names;
 }
 
+// The access to an enum of a list's tables by its values' names.
+template <auto member>
+ChosenInRow chosen() {
+  using E = std::remove_cvref_t<decltype(member(std::declval<Scene&>(), 0))>;
+  return {[](const Scene& s, std::size_t k) { return std::string(name(member(s, k))); },
+          [](Scene& s, std::size_t k, std::string_view text) { member(s, k) = value_named<E>(text); }};
+}
+
 }  // namespace
 
 // clang-format off: one key a line reads as the table that it is
 #define ROWS(rows) +[](const Scene& s) { return s.rows.size(); }, +[](Scene& s, std::size_t n) { s.rows.assign(n, {}); }
 #define AT(rows, member) +[](Scene& s, std::size_t k) -> decltype((s.rows[k].member)) { return s.rows[k].member; }
+#define CHOICE(rows, member)                                                \
+  chosen < [](auto& s, std::size_t k) -> auto& { return s.rows[k].member; } \
+  > (), names<decltype(Scene().rows[0].member)>()
 const std::vector<List>& lists() {
   static const std::vector<List> table{
       {"motion",
@@ -35,7 +44,7 @@ const std::vector<List>& lists() {
        {
            {"of", "", ChosenInRow{get_moved, set_moved}, movable(),
             "along x, along y, or about the pivot from x towards y"},
-           {"amplitude", "m; roll: degrees", AT(parameters.motion.harmonics, amplitude), Range{-100, 100}, ""},
+           {"amplitude", "m; roll: degrees", AT(parameters.motion.harmonics, amplitude), amplitudes, ""},
            {"frequency", "Hz", AT(parameters.motion.harmonics, frequency), Range{0, 100}, ""},
            {"phase", "degrees", AT(parameters.motion.harmonics, phase), Range{-360, 360}, "at t = 0"},
        }},
@@ -50,7 +59,9 @@ const std::vector<List>& lists() {
            {"y", "m", AT(parameters.sensors.pressure, y), Range{0, huge}, "from the floor"},
            {"z", "m", AT(parameters.sensors.pressure, z), Range{0, huge}, "from the near wall"},
            {"side", "m", AT(parameters.sensors.pressure, side), Range{0, huge},
-            "of the square that it averages over, centred on the point; 0: the point"},
+            "of the square that it reads, centred on the point; 0: the point"},
+           {"reading", "", CHOICE(parameters.sensors.pressure, reading),
+            "what it makes of the square: column \"p_NAME [Pa]\" or \"p_max_NAME [Pa]\""},
        }},
       {"sensors",
        "gauge",
@@ -76,6 +87,7 @@ const std::vector<List>& lists() {
   };
   return table;
 }
+#undef CHOICE
 #undef AT
 #undef ROWS
 // clang-format on

@@ -31,7 +31,7 @@ Complaint fixed(const std::string& origin, const std::string& key) {
 }  // namespace
 
 void change_look(Scene& scene, const std::vector<Override>& overrides) {
-  const std::string before = scene.look.quantity;
+  const Quantity before = scene.look.quantity;
   const Settings all = override_settings(overrides);
   std::vector<Complaint> complaints = all.complaints;
   for (const Setting& setting : all.good) {
@@ -52,7 +52,8 @@ void change_look(Scene& scene, const std::vector<Override>& overrides) {
   const bool ranged = std::any_of(all.good.begin(), all.good.end(), [](const Setting& setting) {
     return setting.option == find_option("look", "range");
   });
-  if (scene.look.quantity != before && !ranged && render::parse_range(scene.look.range)) scene.look.range = "scene";
+  if (scene.look.quantity != before && !ranged && scene.look.range.source == render::RangeSource::given)
+    scene.look.range = {};
   refuse(curve_complaints(all, scene));
   if (!all.lists.empty()) read_references(scene, std::filesystem::path(scene.file).parent_path());
 }

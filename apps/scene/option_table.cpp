@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include "apps/scene/options.hpp"
+#include "render/check_look.hpp"
 #include "render/curves.hpp"
 #include "render/picture.hpp"
 #include "solver/operators/kernels.hpp"
@@ -12,21 +15,10 @@
 namespace seiche::apps {
 namespace {
 
-constexpr double huge = 1000;  // Above any tank [m]; catches millimetres given as metres.
-
 Choices kernels() {
   Choices names;
   for (const auto& kernel : solver::kernel_table(1.0)) names.push_back(solver::name(kernel));
   return names;
-}
-
-Choices quantities() { return {render::quantity_names().begin(), render::quantity_names().end()}; }
-
-template <class E>
-Choices names() {
-  Choices all;
-  for (const Choice<E>& row : ChoiceTable<E>::rows) all.push_back(row.name);
-  return all;
 }
 
 // The access to an enum of the scene by its values' names.
@@ -75,17 +67,14 @@ void set_size(Scene& s, const std::string& text) {
   const auto [x, first] = std::from_chars(text.data(), end, width);
   if (first != std::errc{} || x == end || *x != 'x') throw std::invalid_argument(text);
   const auto [last, second] = std::from_chars(x + 1, end, height);
-  const auto fits = [](int pixels) { return pixels >= 64 && pixels <= 16384; };
-  if (second != std::errc{} || last != end || !fits(width) || !fits(height)) throw std::invalid_argument(text);
+  if (second != std::errc{} || last != end) throw std::invalid_argument(text);
+  render::check_picture_size(width, height);
   std::tie(s.look.width, s.look.height) = std::tuple(width, height);
 }
 
-std::string get_range(const Scene& s) { return s.look.range; }
+std::string get_range(const Scene& s) { return render::text_of(s.look.range); }
 
-void set_range(Scene& s, const std::string& text) {
-  render::parse_range(text);
-  s.look.range = text;
-}
+void set_range(Scene& s, const std::string& text) { s.look.range = render::parse_range(text); }
 
 std::string get_curves(const Scene& s) { return s.look.curves; }
 
@@ -94,19 +83,35 @@ void set_curves(Scene& s, const std::string& text) {
   s.look.curves = text;
 }
 
-const Written size{get_size, set_size, "width x height from 64x64 to 16384x16384, as in 1280x720"};
+const std::string sizes =
+    fmt::format("width x height from {0}x{0} to {1}x{1}, as in 1280x720", render::least_size, render::greatest_size);
+template <std::size_t kind>
+bool& wanted(Scene& s) {
+  return s.output.wanted[static_cast<OutputKind>(kind)];
+}
+
+// A key for each kind of output, true or false, but for the movie's, which is its format.
+template <std::size_t... kinds>
+std::vector<Option> output_keys(const Option& movie, std::index_sequence<kinds...>) {
+  std::vector<Option> keys;
+  for (const Option::Access& access : {Option::Access(&wanted<kinds>)...}) {
+    const OutputRow& row = output_rows()[keys.size()];
+    keys.push_back(row.kind == OutputKind::movie ? movie : Option{"output", row.key, "", access, {}, row.help});
+  }
+  return keys;
+}
+
+const Written size{get_size, set_size, sizes};
 const Written range{get_range, set_range, "scene, frame, run, or min,max as in -100,3000, in the quantity's unit"};
 const Written curves{get_curves, set_curves, "auto, none, or up to 3 sensors, as in eta_left, p_left_bottom"};
-
-}  // namespace
 
 // clang-format off: one key a line reads as the table that it is
 #define AT(member) +[](Scene& s) -> decltype((s.member)) { return s.member; }
 #define CHOICE(member)                               \
   chosen < [](auto& s) -> auto& { return s.member; } \
   > (), names<decltype(Scene().member)>()
-const std::vector<Option>& options() {
-  static const std::vector<Option> table{
+std::vector<Option> make_options() {
+  std::vector<Option> table{
       {"", "preset", "", CHOICE(parameters.preset), "scheme that [method], pressure.solver and courant start from"},
       {"", "gravity", "m/s^2", AT(parameters.gravity), Range{0, 100, true}, "downwards"},
 
@@ -115,7 +120,7 @@ const std::vector<Option>& options() {
       {"fluid", "depth", "m", AT(parameters.fluid.depth), Range{0, huge, true}, "still level above the floor"},
       {"fluid", "column", "m", AT(parameters.fluid.column), Range{0, huge},
        "length of the liquid from the left wall, for a dam break; 0: the whole tank"},
-      {"fluid", "wave_amplitude", "m", AT(parameters.fluid.wave_amplitude), Range{0, huge},
+      {"fluid", "wave_amplitude", "m", AT(parameters.fluid.wave_amplitude), amplitudes,
        "of a standing wave that the liquid starts in, its surface flat; 0: none"},
       {"fluid", "wave_mode", "", AT(parameters.fluid.wave_mode), Range{1, 1000}, "half waves of it along the tank"},
 
@@ -126,7 +131,7 @@ const std::vector<Option>& options() {
 
       {"motion", "type", "", motion_type(), motion_types(),
        "one degree of freedom: amplitude sin(2 pi frequency t + phase)"},
-      {"motion", "amplitude", "m; roll: degrees", AT(parameters.motion.harmonic.amplitude), Range{0, 100},
+      {"motion", "amplitude", "m; roll: degrees", AT(parameters.motion.harmonic.amplitude), amplitudes,
        "of the tank's displacement"},
       {"motion", "frequency", "Hz", AT(parameters.motion.harmonic.frequency), Range{0, 100},
        "of the tank's displacement"},
@@ -186,23 +191,16 @@ const std::vector<Option>& options() {
       {"time", "step", "s", AT(parameters.time.step), Range{0, 1},
        "of every step, which must fall on every frame and on the end; 0: by equation (18)"},
 
-      {"output", "pictures", "", AT(output.pictures), {}, "frames/000123.png"},
-      {"output", "movie", "", AT(output.movie), Choices{"mp4", "webm", "gif", "none"}, "kind of movie"},
-      {"output", "vtu", "", AT(output.vtu), {}, "particles for ParaView: vtu/ and the .pvd that lists them"},
-      {"output", "probes", "", AT(output.probes), {}, "sensor readings: probes.csv"},
-      {"output", "report", "", AT(output.report), {}, "a page of movie, curves and measures: report.html"},
       {"output", "probe_rate", "Hz", AT(output.probe_rate), Range{0, 1e6, true},
        "sensor readings per simulated second"},
       {"output", "frame_rate", "Hz", AT(output.frame_rate), Range{0, 1e4, true}, "frames per simulated second"},
       {"output", "size", "pixels", size, {}, "of pictures and movie"},
 
-      {"look", "quantity", "", AT(look.quantity), quantities(), "that particles are coloured by"},
-      {"look", "colour_map", "", AT(look.colour_map), Choices{"viridis", "cividis", "cool-warm", "turbo"},
-       "of a quantity that is a number"},
-      {"look", "background", "", AT(look.background), Choices{"white", "black", "transparent"}, "of the picture"},
-      {"look", "style", "", AT(look.style), Choices{"disc", "dot", "smooth"},
-       "particles as edged discs that fill the spacing, small plain ones, or a smooth mean of them; smooth: 2-D only"},
-      {"look", "view", "", AT(look.view), Choices{"tank", "lab"}, "what stands still in the picture"},
+      {"look", "quantity", "", CHOICE(look.quantity), "that particles are coloured by"},
+      {"look", "colour_map", "", CHOICE(look.colour_map), "of a quantity that is a number"},
+      {"look", "background", "", CHOICE(look.background), "of the picture"},
+      {"look", "style", "", CHOICE(look.style), "how particles are drawn"},
+      {"look", "view", "", CHOICE(look.view), "what stands still in the picture"},
       {"look",
        "range",
        "",
@@ -220,10 +218,20 @@ const std::vector<Option>& options() {
       {"look", "caption", "", AT(look.show_caption), {}, "show scene, kernel and spacing"},
       {"look", "ruler", "", AT(look.show_ruler), {}, "show a ruler in metres"},
   };
+  const Option movie{"output", "movie", "", CHOICE(output.movie), output_row(OutputKind::movie).help};
+  const auto keys = output_keys(movie, std::make_index_sequence<output_kinds>());
+  table.insert(std::ranges::find(table, "output", &Option::section), keys.begin(), keys.end());
   return table;
 }
 #undef AT
 #undef CHOICE
 // clang-format on
+
+}  // namespace
+
+const std::vector<Option>& options() {
+  static const std::vector<Option> table = make_options();
+  return table;
+}
 
 }  // namespace seiche::apps

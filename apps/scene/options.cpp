@@ -10,7 +10,7 @@ namespace {
 std::optional<std::string> assign_written(const Option& option, const Written& written, Scene& scene,
                                           const Value& value) {
   const std::string* text = std::get_if<std::string>(&value);
-  if (!text) return refusal(title(option), expected(option), value, "is no text");
+  if (!text) return refusal(title(option), expected(option), value, "is not text");
   try {
     written.set(scene, *text);
   } catch (const std::invalid_argument&) {

@@ -8,21 +8,14 @@
 #include <optional>
 
 #include "apps/common/nearest.hpp"
-#include "render/curves.hpp"
 #include "solver/make_simulation.hpp"
 
 namespace seiche::apps {
 namespace {
 
-// As in "[m]"; empty where the title has none.
-std::string unit_of(const std::string& title) {
-  const auto bracket = title.find('[');
-  return bracket == std::string::npos ? "" : title.substr(bracket);
-}
-
 std::optional<std::size_t> find(const Csv& table, const std::string& column) {
   for (std::size_t k = 0; k < table.titles().size(); ++k)
-    if (table.titles()[k] == column || render::bare_name(table.titles()[k]) == column) return k;
+    if (table.titles()[k] == column || parted(table.titles()[k]).name == column) return k;
   return {};
 }
 
@@ -35,8 +28,9 @@ std::size_t value_column(const Csv& table, const std::string& column, const std:
                                     guess ? fmt::format("; did you mean '{}'?", *guess) : ""));
   }
   const std::string& title = table.titles()[*found];
-  if (!unit_of(title).empty() && unit_of(title) != unit)
-    table.refuse_header(fmt::format("'{}' is in another unit than its sensor; expected {}", title, unit));
+  const std::string given = parted(title).unit;
+  if (!given.empty() && given != unit)
+    table.refuse_header(fmt::format("'{}' is in another unit than its sensor; expected [{}]", title, unit));
   return *found;
 }
 
@@ -45,12 +39,6 @@ std::size_t time_column(const Csv& table) {
   if (!found || (table.titles()[*found] != "t" && table.titles()[*found] != "t [s]"))
     table.refuse_header("there is no column of times; expected t or t [s]");
   return *found;
-}
-
-std::string unit_of_sensor(const std::string& name, const std::vector<std::string>& columns) {
-  const auto found = std::find_if(columns.begin(), columns.end(),
-                                  [&](const std::string& column) { return render::bare_name(column) == name; });
-  return unit_of(*found);
 }
 
 }  // namespace
@@ -75,12 +63,13 @@ render::Series reference_series(const Csv& table, const std::string& column, con
 }
 
 void read_references(Scene& scene, const std::filesystem::path& folder) {
-  const std::vector<std::string> sensors = sensor_columns(scene.parameters);
+  const std::vector<Column> sensors = sensor_columns(scene.parameters);
   for (render::Reference& reference : scene.look.references) {
     const Csv table = read_csv((folder / reference.file).string(), "reference file");
     if (reference.column.empty()) reference.column = reference.of;
     if (reference.label.empty()) reference.label = std::filesystem::path(reference.file).stem().string();
-    reference.series = reference_series(table, reference.column, unit_of_sensor(reference.of, sensors), reference.from);
+    reference.series =
+        reference_series(table, reference.column, sensors.at(find_column(sensors, reference.of)).unit, reference.from);
   }
 }
 

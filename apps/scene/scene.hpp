@@ -1,18 +1,17 @@
 #pragma once
 #include <string>
 
+#include "apps/common/output_kinds.hpp"
 #include "render/look.hpp"
+#include "render/movie_format.hpp"
 #include "solver/parameters.hpp"
 
 namespace seiche::apps {
 
 /// What a run writes beside run.json.
 struct Output {
-  bool pictures = true;
-  std::string movie = "mp4";  ///< mp4 | webm | gif | none
-  bool vtu = true;
-  bool probes = true;
-  bool report = true;        ///< report.html
+  WantedOutputs wanted{};
+  render::MovieFormat movie = render::MovieFormat::mp4;
   double probe_rate = 1000;  ///< [Hz]
   double frame_rate = 50;    ///< pictures, movie frames and VTU files per simulated second [Hz]
 };
@@ -26,10 +25,13 @@ struct Scene {
   Output output;
   render::Look look;
 
-  bool draws() const { return output.pictures || output.movie != "none"; }
+  bool writes(OutputKind kind) const {
+    return kind == OutputKind::movie ? output.movie != render::MovieFormat::none : output.wanted[kind];
+  }
+  bool draws() const { return writes(OutputKind::pictures) || writes(OutputKind::movie); }
 
   /// Whether anything needs sensor readings.
-  bool samples() const { return output.probes || (draws() && look.curves != "none"); }
+  bool samples() const { return writes(OutputKind::probes) || (draws() && look.curves != "none"); }
 };
 
 }  // namespace seiche::apps

@@ -76,7 +76,9 @@ std::string explained_scene_text(const Scene& scene) { return text(scene, true);
 std::string scene_hash(const Scene& scene) {
   std::string all = scene_text(scene);
   const Parameters::TimeSeries& s = scene.parameters.motion.series;
-  for (const auto* values : {&s.time, &s.surge, &s.heave, &s.roll}) all += fmt::format("\n{}", fmt::join(*values, ","));
+  all += fmt::format("\n{}", fmt::join(s.time, ","));
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom)
+    if (row.in_plane()) all += fmt::format("\n{}", fmt::join(s[row.value], ","));
   for (const render::Reference& reference : scene.look.references)
     for (const auto* values : {&reference.series.time, &reference.series.value})
       all += fmt::format("\n{}", fmt::join(*values, ","));

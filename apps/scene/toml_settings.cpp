@@ -57,7 +57,7 @@ class Reader {
       } else if (known) {
         complain(key, fmt::format("'{0}' is a section: write [{0}] on a line of its own, above its keys", name));
       } else if (node.is_table() || node.is_array_of_tables()) {
-        complain(key, fmt::format("[{}] is no section of a scene{}", name, section_hint(name)));
+        complain(key, fmt::format("unknown section [{}]{}", name, section_hint(name)));
       } else {
         read_key("", key, node);
       }

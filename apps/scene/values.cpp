@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "apps/common/nearest.hpp"
+#include "solver/column.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -28,10 +29,6 @@ bool holds(const Range& range, double number) {
   return (range.above_low ? number > range.low : number >= range.low) && number <= range.high;
 }
 
-bool is_name(const std::string& word) {
-  return !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
-}
-
 std::string refusal(const Slot& slot, const Value& value, const std::string& why) {
   return apps::refusal(slot.title, slot.expected, value, why);
 }
@@ -40,18 +37,18 @@ std::string refusal(const Slot& slot, const Value& value, const std::string& why
 std::optional<std::string> wrong_word(const Slot& slot, const std::string& word) {
   if (std::holds_alternative<Text>(slot.rule)) return {};
   if (std::holds_alternative<Name>(slot.rule)) {
-    if (is_name(word)) return {};
-    return refusal(slot, word, "is no name");
+    if (is_column_name(word)) return {};
+    return refusal(slot, word, "is not a name");
   }
   const Choices& choices = std::get<Choices>(slot.rule);
   if (std::find(choices.begin(), choices.end(), word) != choices.end()) return {};
   const auto guess = nearest(word, {choices.begin(), choices.end()});
-  return refusal(slot, word, "is none of its choices") + (guess ? fmt::format("; did you mean '{}'?", *guess) : "");
+  return refusal(slot, word, "is not one of its choices") + (guess ? fmt::format("; did you mean '{}'?", *guess) : "");
 }
 
 std::optional<std::string> put_text(const Slot& slot, std::string& target, const Value& value) {
   const std::string* word = std::get_if<std::string>(&value);
-  if (!word) return refusal(slot, value, "is no text");
+  if (!word) return refusal(slot, value, "is not text");
   auto complaint = wrong_word(slot, *word);
   if (!complaint) target = *word;
   return complaint;
@@ -65,7 +62,7 @@ std::optional<std::string> put_number(const Slot& slot, Number& target, const Va
   } else if (const auto* real = std::get_if<double>(&value); real && std::is_same_v<Number, double>) {
     number = *real;
   } else {
-    return refusal(slot, value, std::is_same_v<Number, double> ? "is no number" : "is no whole number");
+    return refusal(slot, value, std::is_same_v<Number, double> ? "is not a number" : "is not a whole number");
   }
   if (!std::isfinite(number)) return refusal(slot, value, "is not finite");
   if (!holds(std::get<Range>(slot.rule), number)) return refusal(slot, value, "is out of range");
@@ -75,7 +72,7 @@ std::optional<std::string> put_number(const Slot& slot, Number& target, const Va
 
 std::optional<std::string> put_bool(const Slot& slot, bool& target, const Value& value) {
   const bool* truth = std::get_if<bool>(&value);
-  if (!truth) return refusal(slot, value, "is neither");
+  if (!truth) return refusal(slot, value, "is not a boolean");
   target = *truth;
   return {};
 }
@@ -85,7 +82,7 @@ std::optional<std::string> put_bool(const Slot& slot, bool& target, const Value&
 std::string expected(const Rule& rule, std::string_view unit, bool whole) {
   return std::visit(
       Overloaded{[](const Choices& choices) { return fmt::format("one of {}", fmt::join(choices, ", ")); },
-                 [](Name) { return std::string("a name of a-z, 0-9 and _"); }, [](Text) { return std::string("text"); },
+                 [](Name) { return std::string(column_name_rule); }, [](Text) { return std::string("text"); },
                  [](std::monostate) { return std::string("true or false"); },
                  [&](const Range& range) {
                    const std::string ends = range.above_low ? fmt::format("above {}, up to {}", range.low, range.high)

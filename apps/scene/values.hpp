@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "solver/choice.hpp"
+
 // What a key of a scene may hold, whether it stands in a section or in the tables of a list.
 namespace seiche::apps {
 
@@ -18,10 +20,24 @@ struct Range {
   bool above_low = false;  ///< low itself is refused
 };
 
+/// Above any tank [m]; catches millimetres given as metres.
+constexpr double huge = 1000;
+
+/// Of a motion or a wave; one that is negative has the opposite phase [m], roll [degrees].
+constexpr Range amplitudes{-100, 100};
+
 /// Words that a key takes.
 using Choices = std::vector<std::string_view>;
 
-/// A word of a-z, 0-9 and _, as in the name of a column. In a list each table has another.
+/// What scenes call the values of an enum.
+template <class E>
+Choices names() {
+  Choices all;
+  for (const Choice<E>& row : ChoiceTable<E>::rows) all.push_back(row.name);
+  return all;
+}
+
+/// Of is_column_name. In a list each table has another.
 struct Name {};
 
 /// Any text.

@@ -13,21 +13,27 @@ namespace {
 // Its value says enough in a folder's name; in a label, so does a spacing's with its unit.
 bool speaks_for_itself(const Option& option) { return option.key == "kernel" || option.key == "preset"; }
 
+bool is(const Option& option, std::string_view section, std::string_view key) {
+  return option.section == section && option.key == key;
+}
+
 // Of the key's value in this scene; empty: none.
 std::string_view unit_of(const Option& option, const Scene& scene) {
-  if (&option != find_option("motion", "amplitude")) return option.unit;
+  if (!is(option, "motion", "amplitude")) return option.unit;
   return row(scene.parameters.motion.harmonic.of).rotation ? "degrees" : "m";
 }
 
-bool is_small_length(const Option& option, std::string_view unit) {
-  return unit == "m" && (option.key == "spacing" || option.key.ends_with("amplitude"));
+// One that is said in millimetres.
+bool is_small_length(const Option& option, const Scene& scene) {
+  return is(option, "particles", "spacing") || is(option, "fluid", "wave_amplitude") ||
+         (is(option, "motion", "amplitude") && !row(scene.parameters.motion.harmonic.of).rotation);
 }
 
 std::string label_part(const Option& option, const Scene& scene) {
   const Value value = value_of(option, scene);
   const std::string_view unit = unit_of(option, scene);
   const std::string with_unit =
-      is_small_length(option, unit)
+      is_small_length(option, scene)
           ? fmt::format("{:.6g} mm", 1e3 * std::get<double>(value))
           : fmt::format("{}{}{}", text_of(value), unit.empty() ? "" : " ", render::raised_powers(std::string(unit)));
   if (speaks_for_itself(option) || option.key == "spacing") return with_unit;

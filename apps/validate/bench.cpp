@@ -22,8 +22,8 @@ class Recorder : public Sink {
   void frame(const FramePtr& frame) override {
     auto value = frame->readings.values.begin();
     for (const double time : frame->readings.time)
-      for (const std::string& column : run_.sensors) {
-        Series& series = recording_.sensors[column];
+      for (const Column& column : run_.sensors) {
+        Series& series = recording_.sensors[column.name];
         series.t.push_back(time);
         series.y.push_back(*value++);
       }
@@ -52,7 +52,7 @@ Progress::Style style() { return isatty(STDOUT_FILENO) ? Progress::Style::bar : 
 
 }  // namespace
 
-std::string station_column(std::size_t k) { return "eta_" + station_name(k) + " [m]"; }
+std::string station_column(std::size_t k) { return "eta_" + station_name(k); }
 
 Scene Bench::scene(const std::string& name, const std::vector<std::string>& settings) const {
   std::vector<Override> overrides;

@@ -22,7 +22,7 @@ struct Interrupted : std::runtime_error {
 /// What a run leaves for the measures.
 struct Recording {
   Parameters parameters;
-  std::map<std::string, Series> sensors;  ///< by column, as in "eta_left [m]"; 1000 samples a second
+  std::map<std::string, Series> sensors;  ///< by column, as in "eta_left"; 1000 samples a second
   std::vector<double> stations;           ///< x of the wave gauges that the bench was asked for [m]
   Statistics statistics;
   double end = 0;       ///< simulated [s]

@@ -30,7 +30,7 @@ Difference compare(const Series& reference, const Series& series, const Window& 
   const double gap = longest_step(reference, window.period), own_gap = longest_step(series, window.period);
   std::vector<double> error, level;
   for (long i = 0; i <= steps; ++i) {
-    const double t = from + i * window.step;
+    const double t = from + static_cast<double>(i) * window.step;
     if (in_gap(reference, t, gap) || in_gap(series, t, own_gap)) continue;
     level.push_back(reference.at(t) - window.zero);
     error.push_back(series.at(t) - reference.at(t));

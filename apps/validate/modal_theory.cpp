@@ -24,8 +24,8 @@ Series roll_elevation(const Parameters& p, double step, double end) {
   const double length = tank_surface(p).size()[0], depth = p.fluid.depth, g = p.gravity;
   const double roll = m.harmonic.amplitude * pi / 180, omega = 2 * pi * m.harmonic.frequency;
   Series left;
-  for (long i = 0; i * step <= end * (1 + 1e-9); ++i) {
-    const double t = i * step;
+  for (long i = 0; static_cast<double>(i) * step <= end * (1 + 1e-9); ++i) {
+    const double t = static_cast<double>(i) * step;
     double eta = 0;
     for (int n = 1; n <= last_mode; n += 2) {
       const double k = n * pi / length, own = natural_frequency(p, n), c = 4 * length / (n * n * pi * pi);

@@ -23,9 +23,9 @@ double mean_height(const Recording& recording, double from, double to) {
   double sum = 0;
   for (std::size_t k = 0; k < recording.stations.size(); ++k) {
     const Series part = recording.sensors.at(station_column(k)).between(from, to);
-    sum += std::accumulate(part.y.begin(), part.y.end(), 0.0) / part.size();
+    sum += std::accumulate(part.y.begin(), part.y.end(), 0.0) / static_cast<double>(part.size());
   }
-  return recording.parameters.fluid.depth + sum / recording.stations.size();
+  return recording.parameters.fluid.depth + sum / static_cast<double>(recording.stations.size());
 }
 
 double front(const Frame& frame, double spacing) {

@@ -43,15 +43,15 @@ void style_axis(vtkAxis* axis, const Axis& plan, double font) {
   axis->SetTickLength(static_cast<float>(0.3 * font));
   axis->GetGridPen()->SetColor(228, 228, 228);
   axis->GetGridPen()->SetWidth(static_cast<float>(font / 20));
-  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkDoubleArray> positions;
   vtkNew<vtkStringArray> labels;
   for (const Tick& tick : plan.ticks) {
-    places->InsertNextValue(tick.place);
+    positions->InsertNextValue(tick.position);
     labels->InsertNextValue(tick.label);
   }
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetRange(plan.range.low, plan.range.high);
-  axis->SetCustomTickPositions(places, labels);
+  axis->SetCustomTickPositions(positions, labels);
 }
 
 Rgb colour_of(const Curve& curve, std::size_t number) {

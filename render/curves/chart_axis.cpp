@@ -9,7 +9,7 @@
 namespace seiche::render {
 namespace {
 
-// Finite places only.
+// Finite positions only.
 template <class F>
 void each_place(const std::vector<Curve>& curves, std::vector<double> Curve::*values, Scale scale, F f) {
   for (const Curve& curve : curves)
@@ -26,7 +26,7 @@ Axis decades(Range range) {
     last = !axis.ticks.empty() && value >= high * (1 - 1e-9);
     axis.ticks.push_back({std::log10(value), tick_label(value, round_below(value * (1 + 1e-9)))});
   }
-  axis.range = {axis.ticks.front().place, axis.ticks.back().place};
+  axis.range = {axis.ticks.front().position, axis.ticks.back().position};
   return axis;
 }
 

@@ -15,28 +15,27 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-bool is_elevation(const std::string& name) { return name.starts_with("eta_"); }
-bool is_pressure(const std::string& name) { return name.starts_with("p_"); }
-using Columns = std::vector<std::size_t>;
+using Chosen = std::vector<std::size_t>;
 
-void add(Columns& columns, std::size_t column) {
-  if (columns.size() < most_curves && std::find(columns.begin(), columns.end(), column) == columns.end())
-    columns.push_back(column);
+bool is_elevation(const Column& column) { return column.kind == ColumnKind::elevation; }
+bool is_pressure(const Column& column) { return column.kind == ColumnKind::pressure; }
+
+void add(Chosen& chosen, std::size_t column) {
+  if (chosen.size() < most_curves && std::find(chosen.begin(), chosen.end(), column) == chosen.end())
+    chosen.push_back(column);
 }
 
-Columns automatic(const std::vector<Reference>& references, const std::vector<std::string>& names) {
-  Columns columns;
-  for (const Reference& reference : references) {
-    const auto found = std::find(names.begin(), names.end(), reference.of);
-    if (found != names.end()) add(columns, static_cast<std::size_t>(found - names.begin()));
-  }
+Chosen automatic(const std::vector<Reference>& references, const std::vector<Column>& sensors) {
+  Chosen chosen;
+  for (const Reference& reference : references)
+    if (const std::size_t found = find_column(sensors, reference.of); found < sensors.size()) add(chosen, found);
   for (const auto is_of_kind : {is_elevation, is_pressure, is_motion}) {
-    const auto drawn = [&](std::size_t column) { return is_of_kind(names[column]); };
-    if (std::any_of(columns.begin(), columns.end(), drawn)) continue;
-    const auto first = std::find_if(names.begin(), names.end(), is_of_kind);
-    if (first != names.end()) add(columns, static_cast<std::size_t>(first - names.begin()));
+    const auto drawn = [&](std::size_t column) { return is_of_kind(sensors[column]); };
+    if (std::any_of(chosen.begin(), chosen.end(), drawn)) continue;
+    const auto first = std::find_if(sensors.begin(), sensors.end(), is_of_kind);
+    if (first != sensors.end()) add(chosen, static_cast<std::size_t>(first - sensors.begin()));
   }
-  return columns;
+  return chosen;
 }
 
 }  // namespace
@@ -63,32 +62,20 @@ std::string raised_powers(std::string unit) {
   return unit;
 }
 
-bool is_motion(const std::string& name) { return name == "surge" || name == "heave" || name == "roll"; }
-
-std::string bare_name(const std::string& column) { return trimmed(column.substr(0, column.find('['))); }
-
-std::string curve_title(const std::string& column) {
-  std::string name = bare_name(column), kind;
-  const auto unit = column.find('[');
-  if (is_elevation(name)) kind = "elevation, ", name.erase(0, 4);
-  if (is_pressure(name)) kind = "pressure, ", name.erase(0, 2);
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return fmt::format("{}{}{}{}", kind, name, unit == std::string::npos ? "" : " ",
-                     unit == std::string::npos ? "" : raised_powers(column.substr(unit)));
+std::string curve_title(const Column& column) {
+  return fmt::format("{} [{}]", column.title, raised_powers(column.unit));
 }
 
-std::vector<std::size_t> chosen_columns(const Look& look, const std::vector<std::string>& sensors) {
-  std::vector<std::string> names;
-  for (const std::string& column : sensors) names.push_back(bare_name(column));
+std::vector<std::size_t> chosen_columns(const Look& look, const std::vector<Column>& sensors) {
   const auto wanted = named_curves(look.curves);
-  if (!wanted) return automatic(look.references, names);
-  Columns columns;
+  if (!wanted) return automatic(look.references, sensors);
+  Chosen chosen;
   for (const std::string& name : *wanted) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) throw std::invalid_argument(fmt::format("the run has no sensor '{}'", name));
-    add(columns, static_cast<std::size_t>(found - names.begin()));
+    const std::size_t found = find_column(sensors, name);
+    if (found == sensors.size()) throw std::invalid_argument(fmt::format("the run has no sensor '{}'", name));
+    add(chosen, found);
   }
-  return columns;
+  return chosen;
 }
 
 }  // namespace seiche::render

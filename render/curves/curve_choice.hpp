@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/look.hpp"
+#include "solver/column.hpp"
 
 namespace seiche::render {
 
@@ -14,20 +15,14 @@ constexpr std::size_t most_curves = 3;
 /// a name is empty, or they are too many.
 std::optional<std::vector<std::string>> named_curves(const std::string& curves);
 
-/// A column's name without its unit: "p_left_bottom" of "p_left_bottom [Pa]".
-std::string bare_name(const std::string& column);
-
-/// Whether a column, by its bare name, is the tank's motion.
-bool is_motion(const std::string& name);
-
-/// A column's name in words: "pressure, left bottom [Pa]" of "p_left_bottom [Pa]".
-std::string curve_title(const std::string& column);
+/// What a curve is called: "pressure, left bottom [Pa]".
+std::string curve_title(const Column& column);
 
 /// A unit as it is written by hand: "m\u00b2/s" of "m^2/s".
 std::string raised_powers(std::string unit);
 
 /// Which of the run's sensor columns are drawn. "auto": those that have a reference, then the first elevation, the
-/// first pressure and the tank's motion. Throws std::invalid_argument for a name that no column bears.
-std::vector<std::size_t> chosen_columns(const Look& look, const std::vector<std::string>& sensors);
+/// first pressure and the tank's motion. Throws std::invalid_argument for a name that no column has.
+std::vector<std::size_t> chosen_columns(const Look& look, const std::vector<Column>& sensors);
 
 }  // namespace seiche::render

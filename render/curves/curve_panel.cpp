@@ -27,9 +27,9 @@ double middle(const Box& box) { return box.y + box.height / 2; }
 
 }  // namespace
 
-CurvePanel::CurvePanel(vtkRenderer* renderer, const CurvePlace& place, double font, const SensorCurve& curve,
+CurvePanel::CurvePanel(vtkRenderer* renderer, const CurveBoxes& place, double font, const SensorCurve& curve,
                        const Palette& colours)
-    : place_(place),
+    : boxes_(place),
       font_(curve_font * font),
       thin_(std::max(1.0, std::round(font / 20))),
       curve_(curve),
@@ -41,7 +41,7 @@ CurvePanel::CurvePanel(vtkRenderer* renderer, const CurvePlace& place, double fo
       times_(time_axis(curve.end, place.plot.width / font_)) {}
 
 Point CurvePanel::at(const Point& point) const {
-  const Box& plot = place_.plot;
+  const Box& plot = boxes_.plot;
   return {plot.x + times_.along(point[0]) * plot.width, plot.y + values_->along(point[1]) * plot.height};
 }
 
@@ -51,19 +51,19 @@ Line CurvePanel::at(Line line) const {
 }
 
 void CurvePanel::draw_values() {
-  const Box& plot = place_.plot;
+  const Box& plot = boxes_.plot;
   for (const Tick& tick : values_->ticks) {
-    const double y = at({0, tick.place})[1];
+    const double y = at({0, tick.position})[1];
     axes_.box({plot.x, y - thin_ / 2, plot.width, thin_}, colours_.grid);
-    axes_.text(tick.label, place_.values.right(), y, font_, Align::right, colours_.ink);
+    axes_.text(tick.label, boxes_.values.right(), y, font_, Align::right, colours_.ink);
   }
 }
 
 void CurvePanel::draw_times() {
-  const Box& plot = place_.plot;
-  const double y = middle(place_.times);
+  const Box& plot = boxes_.plot;
+  const double y = middle(boxes_.times);
   for (const Tick& tick : times_.ticks) {
-    const double x = at({tick.place, 0})[0];
+    const double x = at({tick.position, 0})[0];
     axes_.box({x - thin_ / 2, plot.y - 0.3 * font_, thin_, 0.3 * font_}, colours_.ink);
     axes_.text(tick.label, x, y, font_, Align::centre, colours_.ink);
   }
@@ -72,14 +72,14 @@ void CurvePanel::draw_times() {
 }
 
 void CurvePanel::draw_axes() {
-  const Box& plot = place_.plot;
+  const Box& plot = boxes_.plot;
   axes_.clear();
   draw_values();
   draw_times();
   axes_.box({plot.x - thin_ / 2, plot.y - thin_ / 2, thin_, plot.height + thin_}, colours_.ink);
   axes_.box({plot.x - thin_ / 2, plot.y - thin_ / 2, plot.width + thin_, thin_}, colours_.ink);
-  place_title(axes_, curve_, place_.title, font_, colours_);
-  place_key(axes_, curve_, place_.key, font_, colours_);
+  place_title(axes_, curve_, boxes_.title, font_, colours_);
+  place_key(axes_, curve_, boxes_.key, font_, colours_);
 }
 
 void CurvePanel::draw_references() {
@@ -87,7 +87,7 @@ void CurvePanel::draw_references() {
   for (std::size_t i = 0; i < curve_.references.size(); ++i) {
     const auto [dash, gap] = dashes_of(i);
     const Rgb colour = colours_.references[i % colours_.references.size()];
-    const auto lines = thinned(curve_.references[i].series, curve_.end, column * curve_.end / place_.plot.width);
+    const auto lines = thinned(curve_.references[i].series, curve_.end, column * curve_.end / boxes_.plot.width);
     for (const Line& line : lines)
       for (const Line& one : dashed(at(line), dash * font_, gap * font_))
         references_.line(one, reference_width * font_, colour);
@@ -95,7 +95,7 @@ void CurvePanel::draw_references() {
 }
 
 void CurvePanel::show(double time) {
-  const Box& plot = place_.plot;
+  const Box& plot = boxes_.plot;
   const Range range = axis_range(curve_);
   if (!values_ || values_->range.low != range.low || values_->range.high != range.high) {
     values_ = axis_of(range, most_values(plot.height / font_));
@@ -109,7 +109,7 @@ void CurvePanel::show(double time) {
 }
 
 void CurvePanel::draw_trace(const Trace& trace, double time) {
-  for (const Line& line : thinned(trace.series, time, column * curve_.end / place_.plot.width))
+  for (const Line& line : thinned(trace.series, time, column * curve_.end / boxes_.plot.width))
     for (const Line& part : clipped(line, values_->range)) line_.line(at(part), curve_width * font_, trace.colour);
   const auto reading = latest(trace, time);
   if (!reading) return;

@@ -3,9 +3,9 @@
 
 #include "render/curves/sensor_curve.hpp"
 #include "render/picture/axis.hpp"
+#include "render/picture/boxes.hpp"
 #include "render/picture/overlay.hpp"
 #include "render/picture/palette.hpp"
-#include "render/picture/places.hpp"
 #include "render/picture/polyline.hpp"
 
 namespace seiche::render {
@@ -15,7 +15,7 @@ namespace seiche::render {
 class CurvePanel {
  public:
   /// `curve` outlives it.
-  CurvePanel(vtkRenderer* renderer, const CurvePlace& place, double font, const SensorCurve& curve,
+  CurvePanel(vtkRenderer* renderer, const CurveBoxes& place, double font, const SensorCurve& curve,
              const Palette& colours);
 
   void show(double time);
@@ -31,7 +31,7 @@ class CurvePanel {
   Point at(const Point& point) const;
   Line at(Line line) const;
 
-  CurvePlace place_;
+  CurveBoxes boxes_;
   double font_, thin_;  // heights of the text, and of a thin line [pixels]
   const SensorCurve& curve_;
   Palette colours_;

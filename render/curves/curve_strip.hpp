@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "render/curves/sensor_curve.hpp"
+#include "render/picture/boxes.hpp"
 #include "render/picture/palette.hpp"
-#include "render/picture/places.hpp"
 
 class vtkRenderer;
 

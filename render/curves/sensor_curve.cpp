@@ -16,34 +16,10 @@ void widen(std::optional<Range>& range, double value) {
 }
 
 double middle(const SensorCurve& curve) {
-  if (curve.about_zero) return 0;
+  if (curve.column.rest == Rest::zero) return 0;
   const auto& values = curve.traces.at(0).series.value;
   const auto first = std::find_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
   return first == values.end() ? 0 : *first;
-}
-
-bool rests_at_zero(const std::string& name) {
-  return name.starts_with("eta_") || is_motion(name) || name == "force_x" || name == "force_z" ||
-         name.ends_with("_energy");
-}
-
-// A share of what the still liquid has, as one expects it to change; of the motion all of it, which is known.
-double reach_of(const std::string& column, const RunInfo& run) {
-  const std::string name = bare_name(column);
-  if (name == "surge" && run.excursion[0] != 0) return run.excursion[0];
-  if (name == "heave" && run.excursion[1] != 0) return run.excursion[1];
-  const double specific = run.density * std::abs(run.gravity);
-  const auto [length, height, width] = run.tank.size();
-  const double volume = length * run.depth * (run.dimension == 3 ? width : 1);
-  const auto is_in = [&](const char* unit) { return column.find(unit) != std::string::npos; };
-  double reach = 1;
-  if (is_in("[Pa]")) reach = 0.25 * specific * run.depth;
-  if (is_in("[m]")) reach = 0.25 * run.depth;
-  if (is_in("[m^")) reach = 0.01 * volume;
-  if (is_in("[J")) reach = 0.01 * specific * volume * run.depth;
-  if (is_in("[N")) reach = 0.1 * specific * volume;
-  if (is_in("[N m")) reach = 0.1 * specific * volume * length;
-  return reach > 0 ? reach : 1;
 }
 
 }  // namespace
@@ -51,13 +27,12 @@ double reach_of(const std::string& column, const RunInfo& run) {
 std::vector<SensorCurve> sensor_curves(const RunInfo& run, const Look& look) {
   std::vector<SensorCurve> curves;
   if (run.sensors.empty()) return curves;
-  for (const std::size_t column : chosen_columns(look, run.sensors)) {
-    const std::string& name = run.sensors[column];
-    SensorCurve curve{.title = curve_title(name), .end = run.end, .reach = reach_of(name, run), .traces = {}};
-    curve.traces.push_back({.colour = palette(look.background).curve, .column = column});
-    curve.about_zero = rests_at_zero(bare_name(name));
+  for (const std::size_t chosen : chosen_columns(look, run.sensors)) {
+    const Column& column = run.sensors[chosen];
+    SensorCurve curve{.column = column, .title = curve_title(column), .end = run.end};
+    curve.traces.push_back({.colour = palette(look.background).curve, .column = chosen});
     for (const Reference& reference : look.references)
-      if (reference.of == bare_name(name)) curve.references.push_back(reference);
+      if (reference.of == column.name) curve.references.push_back(reference);
     curves.push_back(std::move(curve));
   }
   return curves;
@@ -95,7 +70,7 @@ std::optional<Range> reference_range(const SensorCurve& curve) {
 Range axis_range(const SensorCurve& curve) {
   if (curve.axis) return *curve.axis;
   double centre = middle(curve);
-  Range range{centre - curve.reach, centre + curve.reach};
+  Range range{centre - curve.column.scale, centre + curve.column.scale};
   if (const auto span = reference_range(curve); span && span->high > span->low) {
     range = *span;
     centre = (range.low + range.high) / 2;
@@ -108,7 +83,7 @@ Range axis_range(const SensorCurve& curve) {
 
 Range widest_range(const SensorCurve& curve) {
   const Range now = axis_range(curve);
-  const double most = 8 * std::max({curve.reach, std::abs(now.low), std::abs(now.high)});
+  const double most = 8 * std::max({curve.column.scale, std::abs(now.low), std::abs(now.high)});
   return {-most, most};
 }
 

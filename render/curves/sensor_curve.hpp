@@ -21,11 +21,10 @@ struct Trace {
 
 /// What one plot under the picture shows.
 struct SensorCurve {
-  std::string title;              ///< as in "elevation, left [m]"
+  Column column{};                ///< what it shows
+  std::string title{};            ///< as in "elevation, left [m]"
   double end = 0;                 ///< of the run, and of the time axis [s]
-  double reach = 0;               ///< how far from rest its axis goes before anything is known
-  bool about_zero = true;         ///< at rest it is 0; else whatever the first reading is
-  std::vector<Trace> traces;      ///< one to a run; a picture of one run has one
+  std::vector<Trace> traces{};    ///< one to a run; a picture of one run has one
   std::optional<Range> extent{};  ///< of all readings so far
   std::optional<Range> axis{};    ///< stands still, whatever readings come
   std::vector<Reference> references{};
@@ -43,12 +42,12 @@ std::optional<Point> latest(const Trace& trace, double time);
 /// What its references span within the time axis; nothing where it has none.
 std::optional<Range> reference_range(const SensorCurve& curve);
 
-/// What its axis shows, between round numbers, unless `axis` says: at first what its references span, or else `reach`
-/// to both sides of rest. Where readings go beyond, that side's distance from the middle is doubled until they don't:
-/// an axis that followed them would never stand still.
+/// What its axis shows, between round numbers, unless `axis` says: at first what its references span, or else the
+/// column's scale to both sides of rest. Where readings go beyond, that side's distance from the middle is doubled
+/// until they don't: an axis that followed them would never stand still.
 Range axis_range(const SensorCurve& curve);
 
-/// The widest range whose labels must find room: readings seldom go beyond eight times the reach.
+/// The widest range whose labels must find room: readings seldom go beyond eight times the scale.
 Range widest_range(const SensorCurve& curve);
 
 }  // namespace seiche::render

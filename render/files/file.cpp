@@ -50,7 +50,7 @@ std::string read_file(const std::filesystem::path& file) {
   // Opening a folder succeeds, reading it throws.
   if (!in || std::filesystem::is_directory(file))
     throw std::runtime_error(fmt::format("{} can't be read: {}", file.string(),
-                                         std::filesystem::exists(file) ? "it is no readable file" : "it isn't there"));
+                                         std::filesystem::exists(file) ? "it can't be read" : "it isn't there"));
   return {std::istreambuf_iterator<char>(in), {}};
 }
 

@@ -23,10 +23,14 @@ std::runtime_error failed(const char* what, const std::filesystem::path& folder,
 // One value or array after the other. Does not compile when Frame has more or fewer members.
 template <class AnyFrame, class Act>
 void each_field(AnyFrame& frame, Act act) {
-  auto& [index, step, time, pose, position, velocity, pressure, number_density, kind, free_surface, id, readings] =
-      frame;
+  auto& [index, step, time, pose, position, velocity, pressure, number_density, kind, free_surface, id, derived,
+         readings] = frame;
   act(index), act(step), act(time), act(pose);
   act(position), act(velocity), act(pressure), act(number_density), act(kind), act(free_surface), act(id);
+  std::size_t count = derived.size();
+  act(count);
+  if constexpr (!std::is_const_v<AnyFrame>) derived.resize(count);
+  for (auto& field : derived) act(field.quantity), act(field.values);
   act(readings.time), act(readings.values);
 }
 

@@ -28,10 +28,10 @@ std::span<const unsigned char> on_white(const Image& image, std::vector<unsigned
 
 class Movie : public ImageSink {
  public:
-  explicit Movie(const std::filesystem::path& file) : file_(file), codec_(codec_of(file)) {}
+  explicit Movie(const std::filesystem::path& file) : file_(file), format_(format_of(file)) {}
 
   void begin(const RunInfo& run, int width, int height) override {
-    check_size(codec_, width, height);
+    check_size(format_, width, height);
     run_ = run;
   }
 
@@ -44,7 +44,7 @@ class Movie : public ImageSink {
     if (!ffmpeg_) return;  // without a picture there is no movie
     if (!ffmpeg_->finish()) fail();
     ffmpeg_.reset();
-    if (!codec_.remux) return;
+    if (!format_.remux) return;
     ffmpeg_.emplace(std::vector<std::string>{"ffmpeg", "-v", "error", "-y", "-i", "file:" + file_.string(), "-c",
                                              "copy", "-fflags", "+bitexact", "-movflags", "+faststart",
                                              "file:" + partial_name(file_).string()});
@@ -71,7 +71,8 @@ class Movie : public ImageSink {
                                        fmt::format("{:.9g}", rate),
                                        "-i",
                                        "pipe:0"};
-    arguments.insert(arguments.end(), codec_.options.begin(), codec_.options.end());
+    const auto options = encoder_options(format_);
+    arguments.insert(arguments.end(), options.begin(), options.end());
     // bitexact: no version and no random number of ffmpeg's in the file. flush_packets: what is encoded is in the file
     // at once, and not in a buffer that a kill -9 would take along.
     const auto second = std::max(1L, std::lround(rate));
@@ -96,7 +97,7 @@ class Movie : public ImageSink {
   }
 
   std::filesystem::path file_;
-  const Codec& codec_;
+  const MovieRow& format_;
   RunInfo run_;
   std::optional<Child> ffmpeg_;
   std::vector<unsigned char> rgbx_;

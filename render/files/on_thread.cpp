@@ -11,11 +11,11 @@ namespace {
 
 class OnThread : public ImageSink {
  public:
-  explicit OnThread(std::unique_ptr<ImageSink> taker) : taker_(std::move(taker)) {}
+  explicit OnThread(std::unique_ptr<ImageSink> image_sink) : image_sink_(std::move(image_sink)) {}
   ~OnThread() override { join(); }
 
   void begin(const RunInfo& run, int width, int height) override {
-    taker_->begin(run, width, height);
+    image_sink_->begin(run, width, height);
     thread_ = std::jthread([this] { serve(); });
   }
 
@@ -27,7 +27,7 @@ class OnThread : public ImageSink {
 
   void end() override {
     join();
-    taker_->end();
+    image_sink_->end();
     waiting_.rethrow();
   }
 
@@ -40,7 +40,7 @@ class OnThread : public ImageSink {
 
   void serve() {
     try {
-      while (const auto item = waiting_.pop()) taker_->image(item->image, item->frame);
+      while (const auto item = waiting_.pop()) image_sink_->image(item->image, item->frame);
     } catch (...) {
       waiting_.fail(std::current_exception());
     }
@@ -52,15 +52,15 @@ class OnThread : public ImageSink {
     if (thread_.joinable()) thread_.join();
   }
 
-  std::unique_ptr<ImageSink> taker_;
-  BoundedQueue<Item> waiting_{depth - 1};  // one more is with the taker
+  std::unique_ptr<ImageSink> image_sink_;
+  BoundedQueue<Item> waiting_{depth - 1};  // one more is with the sink
   std::jthread thread_;
 };
 
 }  // namespace
 
-std::unique_ptr<ImageSink> on_thread(std::unique_ptr<ImageSink> taker) {
-  return std::make_unique<OnThread>(std::move(taker));
+std::unique_ptr<ImageSink> on_thread(std::unique_ptr<ImageSink> image_sink) {
+  return std::make_unique<OnThread>(std::move(image_sink));
 }
 
 }  // namespace seiche::render

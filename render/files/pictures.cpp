@@ -14,17 +14,17 @@ namespace {
 
 class Pictures : public Sink {
  public:
-  Pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers, std::filesystem::path folder)
-      : look_(look), takers_(std::move(takers)), folder_(std::move(folder)) {
+  Pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> image_sinks, std::filesystem::path folder)
+      : look_(look), image_sinks_(std::move(image_sinks)), folder_(std::move(folder)) {
     check_look(look_);
-    quantity_ = quantity_of(look_.quantity);
+    quantity_ = look_.quantity;
   }
 
   void begin(const RunInfo& run) override {
     painter_.emplace(run, look_);
     fixed_ = fixed_range(run, look_);
-    if (look_.range == "run" && !fixed_) spool_.emplace(folder_);
-    for (const auto& taker : takers_) taker->begin(run, look_.width, look_.height);
+    if (look_.range.source == RangeSource::run && !fixed_) spool_.emplace(folder_);
+    for (const auto& image_sink : image_sinks_) image_sink->begin(run, look_.width, look_.height);
   }
 
   void frame(const FramePtr& frame) override {
@@ -45,14 +45,14 @@ class Pictures : public Sink {
       }
     };
     attempt([&] { draw_kept(); });
-    for (const auto& taker : takers_) attempt([&] { taker->end(); });  // whatever befell the others
+    for (const auto& image_sink : image_sinks_) attempt([&] { image_sink->end(); });  // whatever happened to the others
     if (error) std::rethrow_exception(error);
   }
 
  private:
   void draw(const Frame& frame, Range range) {
     const Image image = painter_->draw(frame, range);
-    for (const auto& taker : takers_) taker->image(image, frame);
+    for (const auto& image_sink : image_sinks_) image_sink->image(image, frame);
   }
 
   void keep(const Frame& frame) {
@@ -70,7 +70,7 @@ class Pictures : public Sink {
 
   Look look_;
   Quantity quantity_ = Quantity::pressure;
-  std::vector<std::unique_ptr<ImageSink>> takers_;
+  std::vector<std::unique_ptr<ImageSink>> image_sinks_;
   std::optional<Painter> painter_;
   std::optional<Range> fixed_;
   std::filesystem::path folder_;
@@ -80,9 +80,9 @@ class Pictures : public Sink {
 
 }  // namespace
 
-std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> takers,
+std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> image_sinks,
                                const std::filesystem::path& folder) {
-  return std::make_unique<Pictures>(look, std::move(takers), folder);
+  return std::make_unique<Pictures>(look, std::move(image_sinks), folder);
 }
 
 }  // namespace seiche::render

@@ -22,40 +22,42 @@
 #include <new>
 #include <stdexcept>
 
+#include "solver/quantity.hpp"
+
 namespace seiche::render {
 namespace {
 
 // Notes that something went wrong, which VTK would print and go on.
-class Trouble : public vtkCommand {
+class ErrorObserver : public vtkCommand {
  public:
-  static Trouble* New() { return new Trouble; }
+  static ErrorObserver* New() { return new ErrorObserver; }
   void Execute(vtkObject*, unsigned long, void*) override { met = true; }
   bool met = false;
 };
 
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-void watch(vtkObject* object, Trouble* trouble) {
+void watch(vtkObject* object, ErrorObserver* observer) {
   if (!object) return;
-  object->AddObserver(vtkCommand::ErrorEvent, trouble);
-  object->AddObserver(vtkCommand::WarningEvent, trouble);
+  object->AddObserver(vtkCommand::ErrorEvent, observer);
+  object->AddObserver(vtkCommand::WarningEvent, observer);
 }
 
 // Null where VTK can't read the file.
 Grid read_grid(const std::filesystem::path& file) try {
-  vtkNew<Trouble> trouble;
+  vtkNew<ErrorObserver> observer;
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  watch(reader, trouble);
-  watch(reader->GetExecutive(), trouble);
-  reader->SetReaderErrorObserver(trouble);
-  reader->SetParserErrorObserver(trouble);
+  watch(reader, observer);
+  watch(reader->GetExecutive(), observer);
+  reader->SetReaderErrorObserver(observer);
+  reader->SetParserErrorObserver(observer);
   reader->SetFileName(file.c_str());
   reader->UpdateInformation();
-  if (trouble->met) return {};
+  if (observer->met) return {};
   // The decompressor has a voice of its own, and is there only now.
-  if (vtkXMLDataParser* parser = reader->GetXMLParser()) watch(parser->GetCompressor(), trouble);
+  if (vtkXMLDataParser* parser = reader->GetXMLParser()) watch(parser->GetCompressor(), observer);
   reader->Update();
-  return trouble->met ? Grid{} : Grid(reader->GetOutput());
+  return observer->met ? Grid{} : Grid(reader->GetOutput());
 } catch (const std::bad_alloc&) {  // a size that is damaged
   return {};
 }
@@ -72,6 +74,8 @@ class Arrays {
       throw std::runtime_error(fmt::format("{} has no {} as Seiche writes it", where_, name));
     return array;
   }
+
+  bool has(const char* name) const { return data_->GetAbstractArray(name) != nullptr; }
 
   /// One number for each particle, or `columns` of them.
   template <class Array, class Value>
@@ -139,6 +143,11 @@ Frame read_vtu(const std::filesystem::path& file, long index) {
   points.copy<vtkUnsignedCharArray>("kind", frame.kind, n);
   points.copy<vtkUnsignedCharArray>("free_surface", frame.free_surface, n);
   points.copy<vtkUnsignedIntArray>("id", frame.id, n);
+  for (const QuantityRow& row : ChoiceTable<Quantity>::rows) {
+    const std::string name(row.name);
+    if (row.of || !points.has(name.c_str())) continue;
+    points.copy<vtkFloatArray>(name.c_str(), frame.derived.emplace_back(row.value).values, n);
+  }
   return frame;
 }
 

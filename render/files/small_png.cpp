@@ -74,7 +74,8 @@ std::string small_png(const std::filesystem::path& file, std::size_t most) {
   if (bytes.size() <= most) return bytes;
   const Image image = read_png(file);
   // Bytes grow with the pixels, or a little slower.
-  double width = image.width * std::min(0.9, 1.1 * std::sqrt(static_cast<double>(most) / bytes.size()));
+  double width =
+      image.width * std::min(0.9, 1.1 * std::sqrt(static_cast<double>(most) / static_cast<double>(bytes.size())));
   for (;; width *= 0.85) {
     const int pixels = std::min(image.width, std::max(narrowest, static_cast<int>(width)));
     bytes = encoded(shrunk(image, pixels));

@@ -20,6 +20,7 @@
 #include <stdexcept>
 
 #include "render/files/file.hpp"
+#include "solver/quantity.hpp"
 
 namespace seiche::render {
 namespace {
@@ -60,6 +61,8 @@ void add_particles(const Frame& frame, vtkUnstructuredGrid* grid) {
   data->AddArray(view<vtkUnsignedCharArray>("kind", reinterpret_cast<const unsigned char*>(frame.kind.data()), n, 1));
   data->AddArray(view<vtkUnsignedCharArray>("free_surface", frame.free_surface.data(), n, 1));
   data->AddArray(view<vtkUnsignedIntArray>("id", frame.id.data(), n, 1));
+  for (const DerivedField& field : frame.derived)
+    data->AddArray(view<vtkFloatArray>(std::string(name(field.quantity)).c_str(), field.values.data(), n, 1));
   data->SetActiveScalars("pressure");
 }
 

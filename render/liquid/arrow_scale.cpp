@@ -10,8 +10,9 @@ namespace seiche::render {
 
 ArrowScale arrow_scale(const RunInfo& run, const Look& look) {
   double greatest = scene_range(run, Quantity::speed).high;
-  if (quantity_of(look.quantity) == Quantity::speed)
-    if (const auto given = parse_range(look.range)) greatest = std::max(std::abs(given->low), std::abs(given->high));
+  if (look.quantity == Quantity::speed)
+    if (look.range.source == RangeSource::given)
+      greatest = std::max(std::abs(look.range.given.low), std::abs(look.range.given.high));
   return {3 * arrow_distance / greatest, greatest, round_below(0.5 * greatest)};
 }
 

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/liquid/surface_sign.hpp"
+#include "render/liquid/surface_mark.hpp"
 
 namespace seiche::render {
 
@@ -99,7 +99,7 @@ vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(const Disc& disc) {
 
 Particles::Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke,
                      double finest)
-    : quantity_(quantity_of(look.quantity)), map_(look.colour_map) {
+    : quantity_(look.quantity), map_(look.colour_map) {
   if (run.dimension == 3)
     make_spheres(renderer, run, look, scale, stroke);
   else
@@ -107,7 +107,7 @@ Particles::Particles(vtkRenderer* renderer, const RunInfo& run, const Look& look
 }
 
 void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke) {
-  const double radius = run.spacing * (look.style == "dot" ? 0.28 : 0.5);
+  const double radius = run.spacing * (look.style == Style::dot ? 0.28 : 0.5);
   vtkNew<vtkOpenGLSphereMapper> mapper;
   mapper->SetRadius(static_cast<float>(radius));
   fluid_ = std::make_unique<Layer>(renderer, mapper);
@@ -116,7 +116,7 @@ void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Lo
   property->SetDiffuse(0.75);
   property->SetSpecular(0.1);
   property->SetSpecularPower(20);
-  if (surface_sign(look) == SurfaceSign::rings) {
+  if (surface_mark(look) == SurfaceMark::rings) {
     // A small ring on each sphere, towards the camera.
     const double size = std::max(0.5 * radius, stroke / scale);
     surface_ = std::make_unique<Layer>(renderer, disc_mapper({.radius = size, .hole = 0.5, .relief = 0}));
@@ -128,14 +128,14 @@ void Particles::make_spheres(vtkRenderer* renderer, const RunInfo& run, const Lo
 
 void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look& look, double scale, double stroke,
                            double finest) {
-  const bool dots = look.style == "dot";
+  const bool dots = look.style == Style::dot;
   const auto discs = [&](const Disc& disc) {
     auto layer = std::make_unique<Layer>(renderer, disc_mapper(disc));
     layer->actor->GetProperty()->LightingOff();
     layer->actor->SetPosition(0, 0, disc.layer * layer_height(run));
     return layer;
   };
-  // Large discs stand apart; small ones close up, lest the gaps of a lattice make moire. All are rimmed but the
+  // Large discs stand apart; small ones close up, since the gaps of a lattice make moire. All are rimmed but the
   // smallest, so that each particle can be seen.
   const double pixels = run.spacing * scale;
   const double closed = dots ? 0 : std::clamp((16 - finest * scale) / 6, 0.0, 1.0);
@@ -144,13 +144,13 @@ void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look
   const double radius = half * (1 + 0.5 * closed);
   if (look.show_walls) {
     const bool square = closed > 0;
-    // Squares stay upright; where the tank may roll they overlap, lest gaps show between them up to 10 degrees.
-    const double overlap = look.view == "lab" ? 1.16 : 1;
+    // Squares stay upright; where the tank may roll they overlap, so that no gaps show between them up to 10 degrees.
+    const double overlap = look.view == ReferenceFrame::lab ? 1.16 : 1;
     dummy_ = discs({.radius = half * overlap, .layer = -2, .square = square});
     wall_ = discs({.radius = half, .layer = -1, .square = square});
   }
   fluid_ = discs({.radius = radius, .edge = 0.8 / (1 + 0.5 * closed), .shade = shade});
-  if (surface_sign(look) == SurfaceSign::rings) {
+  if (surface_mark(look) == SurfaceMark::rings) {
     const double size = std::max(0.5 * run.spacing, 1.4 * stroke / scale);
     surface_ = discs({.radius = size, .hole = 1 - stroke / (size * scale), .layer = 1});
     // Those marked keep their true size, so that their mark goes round them and no spray looks larger than it is.

@@ -36,19 +36,19 @@ SmoothLiquid::SmoothLiquid(vtkRenderer* renderer, const SmoothField& field, cons
   const auto columns = static_cast<double>(field.columns()), rows = static_cast<double>(field.rows());
   const double right = field.dx() * (columns - 1), top = field.dy() * (rows - 1);
   vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> places;
+  vtkNew<vtkFloatArray> texture_coordinates;
   vtkNew<vtkCellArray> cells;
-  places->SetNumberOfComponents(2);
+  texture_coordinates->SetNumberOfComponents(2);
   cells->InsertNextCell(4);
   for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
     cells->InsertCellPoint(points->InsertNextPoint(x * right, y * top, 0));
     // A texel's colour is at its middle.
-    places->InsertNextTuple2((0.5 + x * (columns - 1)) / columns, (0.5 + y * (rows - 1)) / rows);
+    texture_coordinates->InsertNextTuple2((0.5 + x * (columns - 1)) / columns, (0.5 + y * (rows - 1)) / rows);
   }
   vtkNew<vtkPolyData> sheet;
   sheet->SetPoints(points);
   sheet->SetPolys(cells);
-  sheet->GetPointData()->SetTCoords(places);
+  sheet->GetPointData()->SetTCoords(texture_coordinates);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(sheet);
   p.actor->SetMapper(mapper);

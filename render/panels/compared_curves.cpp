@@ -27,27 +27,22 @@ void widen(std::optional<Range>& range, std::vector<double> values) {
   range = range ? Range{std::min(range->low, low), std::max(range->high, high)} : Range{low, high};
 }
 
-std::size_t column_of(const RunInfo& run, const std::string& name) {
-  const auto is_it = [&](const std::string& column) { return bare_name(column) == name; };
-  return static_cast<std::size_t>(std::find_if(run.sensors.begin(), run.sensors.end(), is_it) - run.sensors.begin());
-}
-
 }  // namespace
 
 std::vector<SensorCurve> compared_curves(const std::vector<Variant>& variants, const Look& look) {
   const RunInfo& first = variants.front().run;
   const auto colours = palette(look.background).runs;
   std::vector<SensorCurve> curves = sensor_curves(first, look);
-  const auto name_of = [&](const SensorCurve& curve) { return bare_name(first.sensors[curve.traces[0].column]); };
   if (!named_curves(look.curves))
-    std::erase_if(curves, [&](const auto& curve) { return is_motion(name_of(curve)) && curve.references.empty(); });
+    std::erase_if(curves, [](const auto& curve) { return is_motion(curve.column) && curve.references.empty(); });
   for (SensorCurve& curve : curves) {
-    const std::string name = name_of(curve);
     curve.traces.clear();
     for (std::size_t i = 0; i < variants.size(); ++i) {
       const RunInfo& run = variants[i].run;
       curve.end = std::max(curve.end, run.end);
-      curve.traces.push_back({.colour = colours[i], .column = column_of(run, name), .broken_off = variants[i].failed});
+      curve.traces.push_back({.colour = colours[i],
+                              .column = find_column(run.sensors, curve.column.name),
+                              .broken_off = variants[i].failed});
     }
   }
   return curves;
@@ -55,7 +50,7 @@ std::vector<SensorCurve> compared_curves(const std::vector<Variant>& variants, c
 
 void settle(std::vector<SensorCurve>& curves) {
   for (SensorCurve& curve : curves) {
-    if (curve.title.ends_with("[Pa]")) {
+    if (curve.column.kind == ColumnKind::pressure) {
       const double window = curve.end / windows;
       for (Trace& trace : curve.traces) trace.series = running_mean(trace.series, window);
       curve.title += fmt::format(", mean of {:.2g} s", window);

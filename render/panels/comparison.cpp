@@ -29,10 +29,10 @@ namespace {
 View view_of(const std::vector<Variant>& variants, const Look& look, const std::vector<PanelFrame>& frames) {
   Bounds all;
   for (std::size_t i = 0; i < variants.size(); ++i) {
-    const Bounds room = room_of(variants[i].run, look, *frames[i].frame);
+    const Bounds bounds = visible_bounds(variants[i].run, look, *frames[i].frame);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      all.low[axis] = std::min(all.low[axis], room.low[axis]);
-      all.high[axis] = std::max(all.high[axis], room.high[axis]);
+      all.low[axis] = std::min(all.low[axis], bounds.low[axis]);
+      all.high[axis] = std::max(all.high[axis], bounds.high[axis]);
     }
   }
   return {variants.front().run.dimension, all};
@@ -55,7 +55,7 @@ std::string caption_of(const std::vector<Variant>& variants) {
 }  // namespace
 
 /// What stays between pictures.
-struct Comparison::Stage {
+struct Comparison::Pipeline {
   vtkSmartPointer<vtkRenderWindow> window;
   vtkNew<vtkRenderer> paper;  // under the panels, with all words
   std::optional<Annotations> words;
@@ -65,15 +65,16 @@ struct Comparison::Stage {
   Wording wording;
   PixelReader pixels;
 
-  Stage(const std::vector<Variant>& variants, const Look& look, const std::vector<SensorCurve>& curves,
-        const std::vector<PanelFrame>& frames, Range range);
+  Pipeline(const std::vector<Variant>& variants, const Look& look, const std::vector<SensorCurve>& curves,
+           const std::vector<PanelFrame>& frames, Range range);
 };
 
-Comparison::Stage::Stage(const std::vector<Variant>& variants, const Look& look, const std::vector<SensorCurve>& curves,
-                         const std::vector<PanelFrame>& frames, Range range)
+Comparison::Pipeline::Pipeline(const std::vector<Variant>& variants, const Look& look,
+                               const std::vector<SensorCurve>& curves, const std::vector<PanelFrame>& frames,
+                               Range range)
     : strip(curves) {
   const Palette colours = palette_of_several(look.background);
-  const Quantity quantity = quantity_of(look.quantity);
+  const Quantity quantity = look.quantity;
   const View view = view_of(variants, look, frames);
   RunInfo longest = variants.front().run;
   for (const Variant& variant : variants) longest.end = std::max(longest.end, variant.run.end);
@@ -128,23 +129,23 @@ void Comparison::record(std::size_t variant, const Readings& readings) {
 }
 
 Image Comparison::draw(double time, const std::vector<PanelFrame>& frames, Range range) {
-  if (!stage_) {
+  if (!pipeline_) {
     settle(curves_);
-    stage_ = std::make_unique<Stage>(variants_, look_, curves_, frames, range);
+    pipeline_ = std::make_unique<Pipeline>(variants_, look_, curves_, frames, range);
   }
   Range found{range.high, range.low};
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    stage_->panels[i]->show(frames[i], range,
-                            variants_[i].failed ? "" : note_of(measured(curves_), i, time, stage_->wording));
+    pipeline_->panels[i]->show(frames[i], range,
+                               variants_[i].failed ? "" : note_of(measured(curves_), i, time, pipeline_->wording));
     if (frames[i].ended) continue;
-    const Range pressures = fluid_range(*frames[i].frame, quantity_of(look_.quantity));
+    const Range pressures = fluid_range(*frames[i].frame, look_.quantity);
     found = {std::min(found.low, pressures.low), std::max(found.high, pressures.high)};
   }
-  if (stage_->bar) stage_->bar->show(range, found);
-  stage_->words->set_time(time);
-  stage_->strip.show(time);
-  stage_->window->Render();
-  return stage_->pixels.read(stage_->window);
+  if (pipeline_->bar) pipeline_->bar->show(range, found);
+  pipeline_->words->set_time(time);
+  pipeline_->strip.show(time);
+  pipeline_->window->Render();
+  return pipeline_->pixels.read(pipeline_->window);
 }
 
 }  // namespace seiche::render

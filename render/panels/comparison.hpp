@@ -26,11 +26,11 @@ class Comparison {
   Image draw(double time, const std::vector<PanelFrame>& frames, Range range);
 
  private:
-  struct Stage;
+  struct Pipeline;
   std::vector<Variant> variants_;
   Look look_;
   std::vector<SensorCurve> curves_;
-  std::unique_ptr<Stage> stage_;
+  std::unique_ptr<Pipeline> pipeline_;
 };
 
 }  // namespace seiche::render

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/curves/curve_choice.hpp"
 #include "render/picture/polyline.hpp"
 
 namespace seiche::render {
@@ -37,14 +38,13 @@ double deviation(const Series& series, const Series& reference, double until) {
   return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : nothing;
 }
 
-std::string deviation_text(double deviation, const std::string& column, const std::string& label) {
+std::string deviation_text(double deviation, const Column& column, const std::string& label) {
   if (!std::isfinite(deviation)) return "";
   const std::string off = label.empty() ? "" : " off " + label;
-  if (column.ends_with("[m]")) return fmt::format("{:.1f} mm RMS{}", 1000 * deviation, off);
-  const auto bracket = column.find('['), end = column.find(']');
-  const std::string unit = bracket == std::string::npos ? "" : column.substr(bracket + 1, end - bracket - 1) + " ";
-  return fmt::format("{} {}RMS{}",
-                     deviation < 100 ? fmt::format("{:.3g}", deviation) : fmt::format("{:.0f}", deviation), unit, off);
+  if (is_length(column)) return fmt::format("{:.1f} mm RMS{}", 1000 * deviation, off);
+  return fmt::format("{} {} RMS{}",
+                     deviation < 100 ? fmt::format("{:.3g}", deviation) : fmt::format("{:.0f}", deviation),
+                     raised_powers(column.unit), off);
 }
 
 }  // namespace seiche::render

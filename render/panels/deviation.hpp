@@ -2,6 +2,7 @@
 #include <string>
 
 #include "render/look.hpp"
+#include "solver/column.hpp"
 
 namespace seiche::render {
 
@@ -9,7 +10,7 @@ namespace seiche::render {
 /// straight lines; not a number where they have no time in common.
 double deviation(const Series& series, const Series& reference, double until);
 
-/// As in "4.1 mm RMS off VOF"; `column` gives the unit, as in "eta_left [m]". Empty where it isn't a number.
-std::string deviation_text(double deviation, const std::string& column, const std::string& label);
+/// As in "4.1 mm RMS off VOF"; `deviation` in the column's unit. Empty where it isn't a number.
+std::string deviation_text(double deviation, const Column& column, const std::string& label);
 
 }  // namespace seiche::render

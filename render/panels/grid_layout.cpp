@@ -27,11 +27,11 @@ Layout lay_out_around(Needs needs, Grid grid) {
   return lay_out(needs);
 }
 
-PanelPlace panel_at(const Needs& needs, const Layout& around, std::size_t column, std::size_t row) {
+PanelBoxes panel_at(const Needs& needs, const Layout& around, std::size_t column, std::size_t row) {
   const double f = around.font, width = needs.view_width * around.scale, height = needs.view_height * around.scale;
   const double x = around.view.x + static_cast<double>(column) * (width + between_across * f);
   const double top = around.view.top() - static_cast<double>(row) * (height + (head + between_up) * f);
-  PanelPlace place;
+  PanelBoxes place;
   place.view = {std::round(x), std::round(top - head * f - height), std::floor(width), std::floor(height)};
   place.label = {place.view.x, place.view.top() + (head - 1) / 2 * f, place.view.width, f};
   return place;

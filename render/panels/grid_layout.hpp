@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "render/picture/places.hpp"
+#include "render/picture/boxes.hpp"
 
 namespace seiche::render {
 
@@ -12,7 +12,7 @@ struct PanelNeeds {
 };
 
 /// Where a panel goes.
-struct PanelPlace {
+struct PanelBoxes {
   Box view;   ///< what its camera shows, its left and lower edge on whole pixels
   Box label;  ///< above it
   Box note;   ///< beside the label; without width where it has no room
@@ -21,7 +21,7 @@ struct PanelPlace {
 /// A picture of several panels.
 struct GridLayout {
   Layout around;  ///< its view is the grid with the panels' labels
-  std::vector<PanelPlace> panels;
+  std::vector<PanelBoxes> panels;
 };
 
 /// Panels of one size, row by row, in as many columns as show them largest; all else goes around them as around a

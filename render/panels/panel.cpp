@@ -30,8 +30,8 @@ double middle(const Box& box) { return box.y + box.height / 2; }
 
 Panel::Panel(vtkRenderWindow* window, vtkRenderer* words, const Variant& variant, std::size_t number, const Look& look,
              const View& view, const GridLayout& layout, const Palette& colours, double finest)
-    : place_(layout.panels[number]), font_(layout.around.font), words_(words) {
-  const Box& box = place_.view;
+    : boxes_(layout.panels[number]), font_(layout.around.font), words_(words) {
+  const Box& box = boxes_.view;
   for (vtkRenderer* renderer : {tank_.Get(), veil_.Get()}) {
     confine(renderer, box, look);
     window->AddRenderer(renderer);
@@ -52,18 +52,18 @@ Panel::~Panel() = default;
 double Panel::label_width(const std::string& label) { return sample_width + after_sample + text_width(label); }
 
 void Panel::place_label(const Variant& variant, std::size_t number, const Palette& colours) {
-  const Box& at = place_.label;
+  const Box& at = boxes_.label;
   const double y = middle(at), indent = (sample_width + after_sample) * font_;
   words_.line({{at.x, y}, {at.x + sample_width * font_, y}}, 1.6 * curve_width * font_, colours.runs[number]);
   const std::string label = shortened(variant.label, (at.width - indent) / font_ + 0.01);
   words_.text(label, at.x + indent, y, font_, Align::left, colours.ink);
-  if (place_.note.width > 0)
-    note_ = words_.text("", place_.note.right(), middle(place_.note), font_, Align::right, colours.ink);
+  if (boxes_.note.width > 0)
+    note_ = words_.text("", boxes_.note.right(), middle(boxes_.note), font_, Align::right, colours.ink);
 }
 
 // Lines at the top of the panel, above what liquid there is, on paper; parts that have no room are left out.
 void Panel::place_message(const Variant& variant, const Palette& colours) {
-  const Box& box = place_.view;
+  const Box& box = boxes_.view;
   Overlay(veil_, veiled).box({0, 0, box.width, box.height}, colours.paper);
   const double line = 1.3 * font_, room = widest_message * box.width / font_ - 2 * message_pad;
   std::vector<std::string> lines;

@@ -35,7 +35,7 @@ class Panel {
   void place_label(const Variant& variant, std::size_t number, const Palette& colours);
   void place_message(const Variant& variant, const Palette& colours);
 
-  PanelPlace place_;
+  PanelBoxes boxes_;
   double font_;
   vtkNew<vtkRenderer> tank_, veil_;  // the veil lies over the tank
   std::optional<TankView> view_;

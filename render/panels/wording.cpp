@@ -21,7 +21,7 @@ std::string value_in(const std::string& part) {
 double note_width(const SensorCurve* curve, Wording wording) {
   constexpr double wide = 0.0888;
   if (!curve) return 0;
-  return text_width(deviation_text(wide, curve->title, wording.brief_notes ? "" : curve->references.front().label));
+  return text_width(deviation_text(wide, curve->column, wording.brief_notes ? "" : curve->references.front().label));
 }
 
 // A run that fails says so; how far it was off before is no matter.
@@ -64,7 +64,7 @@ const SensorCurve* measured(const std::vector<SensorCurve>& curves) {
 std::string note_of(const SensorCurve* curve, std::size_t variant, double time, Wording wording) {
   if (!curve) return "";
   const Reference& reference = curve->references.front();
-  return deviation_text(deviation(curve->traces[variant].series, reference.series, time), curve->title,
+  return deviation_text(deviation(curve->traces[variant].series, reference.series, time), curve->column,
                         wording.brief_notes ? "" : reference.label);
 }
 

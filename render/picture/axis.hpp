@@ -9,7 +9,7 @@ namespace seiche::render {
 
 /// A number along an axis.
 struct Tick {
-  double place;
+  double position;
   std::string label;
 };
 
@@ -18,8 +18,8 @@ struct Axis {
   Range range;
   std::vector<Tick> ticks;
 
-  /// How far along it a place is, from 0 where it begins to 1 where it ends.
-  double along(double place) const { return (place - range.low) / (range.high - range.low); }
+  /// How far along it a position is, from 0 where it begins to 1 where it ends.
+  double along(double position) const { return (position - range.low) / (range.high - range.low); }
 };
 
 /// With round ticks that cut the range into `most` parts at most.

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/picture/places.hpp"
+#include "render/picture/boxes.hpp"
 #include "solver/frame.hpp"
 
 class vtkRenderer;

@@ -1,12 +1,7 @@
 #include "render/picture/colour_map.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <utility>
 
 namespace seiche::render {
 namespace {
@@ -46,18 +41,23 @@ constexpr Table turbo{0x30123b, 0x36215f, 0x3b2f80, 0x3f3e9c, 0x424bb5, 0x4559cb
                       0xfea130, 0xfe932a, 0xfc8423, 0xf9751d, 0xf46617, 0xef5811, 0xe84b0c, 0xe14109, 0xd83706,
                       0xce2d04, 0xc32503, 0xb71d02, 0xa91601, 0x9b0f01, 0x8b0902, 0x7a0403};
 
-const std::array<std::pair<const char*, const Table*>, 4> maps{
-    {{"viridis", &viridis}, {"cividis", &cividis}, {"cool-warm", &cool_warm}, {"turbo", &turbo}}};
+const Table& table_of(ColourMapName name) {
+  switch (name) {
+    case ColourMapName::cividis:
+      return cividis;
+    case ColourMapName::cool_warm:
+      return cool_warm;
+    case ColourMapName::turbo:
+      return turbo;
+    case ColourMapName::viridis:
+      break;
+  }
+  return viridis;
+}
 
 }  // namespace
 
-ColourMap::ColourMap(const std::string& name) {
-  const auto found = std::find_if(maps.begin(), maps.end(), [&](const auto& map) { return name == map.first; });
-  if (found == maps.end())
-    throw std::invalid_argument(
-        fmt::format("there is no colour map '{}'; choose one of {}", name, fmt::join(colour_map_names(), ", ")));
-  table_ = *found->second;
-}
+ColourMap::ColourMap(ColourMapName name) : table_(table_of(name)) {}
 
 Rgb ColourMap::operator()(double t) const {
   // Written so that a NaN ends at 0.
@@ -71,12 +71,6 @@ Rgb ColourMap::operator()(double t) const {
     colour[static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(std::lround(value));
   }
   return colour;
-}
-
-std::vector<std::string> colour_map_names() {
-  std::vector<std::string> names;
-  for (const auto& map : maps) names.emplace_back(map.first);
-  return names;
 }
 
 }  // namespace seiche::render

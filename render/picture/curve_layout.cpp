@@ -43,14 +43,14 @@ double curve_strip(const Needs& needs, double font) {
   return rows + std::clamp(needs.plot * needs.height, 3.2 * font, 9 * font / needs.font);
 }
 
-std::vector<CurvePlace> lay_out_curves(const std::vector<CurveNeeds>& needs, const Box& strip, double font) {
-  std::vector<CurvePlace> places;
+std::vector<CurveBoxes> lay_out_curves(const std::vector<CurveNeeds>& needs, const Box& strip, double font) {
+  std::vector<CurveBoxes> places;
   if (needs.empty()) return places;
   const Common all = common(needs, strip.width, font);
   const double bottom = strip.y + (below + tick_row) * font, top = strip.top() - all.head;
   double x = strip.x;
   for (const CurveNeeds& curve : needs) {
-    CurvePlace place;
+    CurveBoxes place;
     const Row row = head(curve, all.slot, font);
     row.place(x, top + head_gap * font + row.height(), place.title, place.key);
     place.plot = {x + all.left, bottom, all.slot - all.left - all.right, top - bottom};

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "render/picture/places.hpp"
+#include "render/picture/boxes.hpp"
 
 namespace seiche::render {
 
@@ -16,6 +16,6 @@ constexpr double name_gap = 0.6;
 double curve_strip(const Needs& needs, double font);
 
 /// The curves side by side in the strip.
-std::vector<CurvePlace> lay_out_curves(const std::vector<CurveNeeds>& needs, const Box& strip, double font);
+std::vector<CurveBoxes> lay_out_curves(const std::vector<CurveNeeds>& needs, const Box& strip, double font);
 
 }  // namespace seiche::render

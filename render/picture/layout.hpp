@@ -1,5 +1,5 @@
 #pragma once
-#include "render/picture/places.hpp"
+#include "render/picture/boxes.hpp"
 
 namespace seiche::render {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "render/picture/boxes.hpp"
 #include "render/picture/colour_map.hpp"
-#include "render/picture/places.hpp"
 #include "render/picture/polyline.hpp"
 
 class vtkRenderer;

@@ -13,8 +13,8 @@ std::array<Rgb, 9> run_colours(Rgb seventh, Rgb eighth, Rgb ninth) {
 
 }  // namespace
 
-Palette palette(const std::string& background) {
-  if (background == "black")
+Palette palette(Background background) {
+  if (background == Background::black)
     return {.paper = {0, 0, 0},
             .ink = {232, 232, 232},
             .outline = {214, 214, 214},
@@ -33,9 +33,9 @@ Palette palette(const std::string& background) {
           .runs = run_colours({136, 34, 85}, {153, 153, 51}, {51, 34, 136})};
 }
 
-Palette palette_of_several(const std::string& background) {
+Palette palette_of_several(Background background) {
   Palette colours = palette(background);
-  if (background == "black")
+  if (background == Background::black)
     colours.references = {{{255, 255, 255}, {185, 185, 185}, {140, 140, 140}}};
   else
     colours.references = {{{40, 40, 40}, {95, 95, 95}, {135, 135, 135}}};

@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <string>
 
 #include "render/picture/colour_map.hpp"
 
@@ -20,9 +19,9 @@ struct Palette {
 };
 
 /// Of Look::background.
-Palette palette(const std::string& background);
+Palette palette(Background background);
 
 /// The same for a picture of several runs: references are greys, which are no run's colour, and differ by their dashes.
-Palette palette_of_several(const std::string& background);
+Palette palette_of_several(Background background);
 
 }  // namespace seiche::render

@@ -1,66 +1,24 @@
 #include "render/picture/quantity.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace seiche::render {
-namespace {
 
-double speed(const Float3& velocity) {
-  const double x = velocity[0], y = velocity[1], z = velocity[2];
-  return std::sqrt(x * x + y * y + z * z);
-}
-
-}  // namespace
-
-// In the order of Quantity.
-const std::vector<std::string>& quantity_names() {
-  static const std::vector<std::string> names{"pressure", "speed", "number-density", "free-surface", "kind"};
-  return names;
-}
-
-Quantity quantity_of(const std::string& name) {
-  const auto& names = quantity_names();
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw std::invalid_argument(
-        fmt::format("there is no quantity '{}'; choose one of {}", name, fmt::join(names, ", ")));
-  return static_cast<Quantity>(found - names.begin());
-}
-
-const char* title_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::pressure:
-      return "pressure [Pa]";
-    case Quantity::speed:
-      return "speed [m/s]";
-    case Quantity::number_density:
-      return "number density n/n\u2080";
-    case Quantity::free_surface:
-    case Quantity::kind:
-      return "particles";
-  }
-  return "";
+std::string title_of(Quantity quantity) {
+  const QuantityRow& row = row_of(quantity);
+  return row.unit.empty() ? std::string(row.title) : fmt::format("{} [{}]", row.title, row.unit);
 }
 
 double value_of(Quantity quantity, const Frame& frame, std::size_t particle) {
-  switch (quantity) {
-    case Quantity::pressure:
-      return frame.pressure[particle];
-    case Quantity::speed:
-      return speed(frame.velocity[particle]);
-    case Quantity::number_density:
-      return frame.number_density[particle];
-    case Quantity::free_surface:
-      return frame.free_surface[particle] ? 1 : 0;
-    case Quantity::kind:
-      return static_cast<double>(frame.kind[particle]);
-  }
-  return 0;
+  if (const auto of = row_of(quantity).of) return of(frame, particle);
+  const auto found = std::ranges::find(frame.derived, quantity, &DerivedField::quantity);
+  if (found == frame.derived.end())
+    throw std::runtime_error(fmt::format(
+        "frame {} was stored without {}; choose another quantity or run the scene again", frame.index, name(quantity)));
+  return found->values[particle];
 }
 
 // Of M. Okabe, K. Ito, Color Universal Design, 2008, but for the greys.

@@ -4,24 +4,18 @@
 
 #include "render/picture/colour_map.hpp"
 #include "solver/frame.hpp"
+#include "solver/quantity.hpp"
 
 namespace seiche::render {
 
-/// What the colours of particles show.
-enum class Quantity { pressure, speed, number_density, free_surface, kind };
-
-/// By name, as in "number-density". Throws std::invalid_argument.
-Quantity quantity_of(const std::string& name);
-
-const std::vector<std::string>& quantity_names();
-
 /// What stands above its colours, with the unit, as in "pressure [Pa]".
-const char* title_of(Quantity quantity);
+std::string title_of(Quantity quantity);
 
-/// Of one particle, in the unit of the title; of a quantity with classes their number.
+/// Of one particle, in the unit of the title; of a quantity with classes their number. Throws std::runtime_error where
+/// the frame was stored by a version that didn't derive the quantity.
 double value_of(Quantity quantity, const Frame& frame, std::size_t particle);
 
-/// One of a few values with a name and a colour of its own, for a quantity that is no number.
+/// One of a few values with a name and a colour of its own, for a quantity that is not a number.
 struct Class {
   const char* name;
   Rgb colour;

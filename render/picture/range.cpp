@@ -3,17 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "render/picture/ticks.hpp"
 
 namespace seiche::render {
-std::optional<Range> parse_range(const std::string& text) {
-  if (text == "scene" || text == "frame" || text == "run") return std::nullopt;
+namespace {
+
+constexpr std::array sources{std::pair{RangeSource::scene, "scene"}, std::pair{RangeSource::frame, "frame"},
+                             std::pair{RangeSource::run, "run"}};
+
+}  // namespace
+
+RangeChoice parse_range(const std::string& text) {
+  for (const auto& [source, name] : sources)
+    if (text == name) return {source, {}};
   const auto wrong = [&] {
-    return std::invalid_argument(fmt::format("'{}' is no range; give scene, frame, run or \"min,max\"", text));
+    return std::invalid_argument(fmt::format("unknown range '{}'; expected scene, frame, run or \"min,max\"", text));
   };
   const auto comma = text.find(',');
   if (comma == std::string::npos) throw wrong();
@@ -30,29 +40,25 @@ std::optional<Range> parse_range(const std::string& text) {
   };
   const Range range{number(text.substr(0, comma)), number(text.substr(comma + 1))};
   if (!(range.low < range.high)) throw wrong();
-  return range;
+  return {RangeSource::given, range};
+}
+
+std::string text_of(const RangeChoice& range) {
+  for (const auto& [source, name] : sources)
+    if (range.source == source) return name;
+  return fmt::format("{},{}", range.given.low, range.given.high);
 }
 
 Range scene_range(const RunInfo& run, Quantity quantity) {
-  const double weight = std::abs(run.gravity) * run.depth;
-  switch (quantity) {
-    case Quantity::pressure:
-      return rounded({0, 1.5 * run.density * weight});
-    case Quantity::speed:
-      return rounded({0, 0.5 * std::sqrt(weight)});
-    case Quantity::number_density:
-      return {0.8, 1.2};
-    case Quantity::free_surface:
-    case Quantity::kind:
-      break;
-  }
-  return {0, static_cast<double>(classes_of(quantity).size()) - 1};
+  const auto [low, high] = row_of(quantity).usual(run);
+  return classes_of(quantity).empty() ? rounded({low, high}) : Range{low, high};
 }
 
 std::optional<Range> fixed_range(const RunInfo& run, const Look& look) {
-  const Quantity quantity = quantity_of(look.quantity);
-  if (look.range == "scene" || !classes_of(quantity).empty()) return scene_range(run, quantity);
-  return parse_range(look.range);
+  if (look.range.source == RangeSource::scene || !classes_of(look.quantity).empty())
+    return scene_range(run, look.quantity);
+  if (look.range.source == RangeSource::given) return look.range.given;
+  return std::nullopt;
 }
 
 Range fluid_range(const Frame& frame, Quantity quantity) {

@@ -9,12 +9,14 @@
 
 namespace seiche::render {
 
-/// "min,max" as a range; nothing for the named modes. Throws std::invalid_argument on anything else.
-std::optional<Range> parse_range(const std::string& text);
+/// scene, frame, run or "min,max". Throws std::invalid_argument on anything else.
+RangeChoice parse_range(const std::string& text);
 
-/// Known before the first step, and the same for all runs of one scene. Pressure: [0, 1.5 rho g H], rounded. Speed:
-/// [0, 0.5 sqrt(g H)], rounded: half of what a long wave travels at, which only waves that break go beyond. Number
-/// density: [0.8, 1.2], its ideal in the middle, for diverging colours. Classes: from the first to the last.
+/// As parse_range() reads it.
+std::string text_of(const RangeChoice& range);
+
+/// Known before the first step, and the same for all runs of one scene: QuantityRow::usual, rounded; of classes from
+/// the first to the last.
 Range scene_range(const RunInfo& run, Quantity quantity = Quantity::pressure);
 
 /// What the look asks for, where it is known before the first frame: "scene", "min,max", or the range of classes.

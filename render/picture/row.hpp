@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-#include "render/picture/places.hpp"
+#include "render/picture/boxes.hpp"
 
 namespace seiche::render {
 

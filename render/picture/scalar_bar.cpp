@@ -58,7 +58,7 @@ void ScalarBar::draw_ticks() {
   };
   const Axis axis = axis_of(*range_);
   for (const Tick& tick : axis.ticks) {
-    const double along = axis.along(tick.place);
+    const double along = axis.along(tick.position);
     const auto [x, y] = at(along, side);
     if (layout_.bar_upright)
       overlay_.box({x, y - half, 0.3 * f, 2 * half}, ink_);

@@ -10,7 +10,7 @@
 #include "render/liquid/arrows.hpp"
 #include "render/liquid/particles.hpp"
 #include "render/liquid/surface_line.hpp"
-#include "render/liquid/surface_sign.hpp"
+#include "render/liquid/surface_mark.hpp"
 #include "render/picture/layout.hpp"
 #include "render/picture/quantity.hpp"
 
@@ -34,12 +34,12 @@ std::string caption_of(const RunInfo& run) {
 
 // What the colours tell needs no second word.
 bool Annotations::keyed_wall() const {
-  return look_.show_walls && run_.dimension == 2 && quantity_of(look_.quantity) != Quantity::kind;
+  return look_.show_walls && run_.dimension == 2 && look_.quantity != Quantity::kind;
 }
 
 double Annotations::marks_width() const {
   double width = 0;
-  if (surface_sign(look_) != SurfaceSign::none) width += mark + text_width(surface_words);
+  if (surface_mark(look_) != SurfaceMark::none) width += mark + text_width(surface_words);
   if (keyed_wall()) width += (width > 0 ? between : 0) + mark + text_width(wall_words);
   return width;
 }
@@ -103,12 +103,12 @@ void Annotations::place_key(const Layout& layout, double arrow_font, Rgb ink) {
     overlay_->text(speed_text(scale.reference), x + room + after_arrow * font, y, font, Align::left, ink);
     x += (arrow_width() + between) * font;
   }
-  const SurfaceSign sign = surface_sign(look_);
-  if (sign == SurfaceSign::rings) overlay_->ring(x + radius, y, 0.55 * radius, radius, Particles::surface_colour);
-  if (sign == SurfaceSign::line)
+  const SurfaceMark sign = surface_mark(look_);
+  if (sign == SurfaceMark::rings) overlay_->ring(x + radius, y, 0.55 * radius, radius, Particles::surface_colour);
+  if (sign == SurfaceMark::line)
     overlay_->box({x, y - SurfaceLine::width * font / 2, 2 * radius, SurfaceLine::width * font},
                   Particles::surface_colour);
-  if (sign != SurfaceSign::none) entry(surface_words);
+  if (sign != SurfaceMark::none) entry(surface_words);
   if (keyed_wall()) {
     overlay_->ring(x + radius, y, 0, radius, Particles::wall_colour);
     entry(wall_words);

@@ -24,7 +24,7 @@
 namespace seiche::render {
 
 /// What stays between frames.
-struct Painter::Stage {
+struct Painter::Pipeline {
   vtkSmartPointer<vtkRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   std::optional<Annotations> words;
@@ -33,14 +33,15 @@ struct Painter::Stage {
   CurveStrip strip;
   PixelReader pixels;
 
-  Stage(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves, const Frame& first);
+  Pipeline(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves, const Frame& first);
 };
 
-Painter::Stage::Stage(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves, const Frame& first)
+Painter::Pipeline::Pipeline(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves,
+                            const Frame& first)
     : strip(curves) {
   const Palette colours = palette(look.background);
-  const Quantity quantity = quantity_of(look.quantity);
-  const View view(run.dimension, room_of(run, look, first));
+  const Quantity quantity = look.quantity;
+  const View view(run.dimension, visible_bounds(run, look, first));
   words.emplace(run, look, caption_of(run), round_below(0.25 * view.width()));
 
   Needs needs{.width = look.width, .height = look.height, .view_width = view.width(), .view_height = view.height()};
@@ -77,13 +78,13 @@ void Painter::record(const Readings& readings) {
 }
 
 Image Painter::draw(const Frame& frame, Range range) {
-  if (!stage_) stage_ = std::make_unique<Stage>(run_, look_, curves_, frame);
-  stage_->tank->show(frame, range);
-  if (stage_->bar) stage_->bar->show(range, fluid_range(frame, quantity_of(look_.quantity)));
-  stage_->words->set_time(frame.time);
-  stage_->strip.show(frame.time);
-  stage_->window->Render();
-  return stage_->pixels.read(stage_->window);
+  if (!pipeline_) pipeline_ = std::make_unique<Pipeline>(run_, look_, curves_, frame);
+  pipeline_->tank->show(frame, range);
+  if (pipeline_->bar) pipeline_->bar->show(range, fluid_range(frame, look_.quantity));
+  pipeline_->words->set_time(frame.time);
+  pipeline_->strip.show(frame.time);
+  pipeline_->window->Render();
+  return pipeline_->pixels.read(pipeline_->window);
 }
 
 }  // namespace seiche::render

@@ -22,11 +22,11 @@ class Painter {
   Image draw(const Frame& frame, Range range);
 
  private:
-  struct Stage;
+  struct Pipeline;
   RunInfo run_;
   Look look_;
   std::vector<SensorCurve> curves_;
-  std::unique_ptr<Stage> stage_;
+  std::unique_ptr<Pipeline> pipeline_;
 };
 
 }  // namespace seiche::render

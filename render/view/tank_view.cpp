@@ -7,32 +7,32 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/liquid/surface_sign.hpp"
+#include "render/liquid/surface_mark.hpp"
 #include "render/picture/pose.hpp"
 #include "render/picture/tank.hpp"
 
 namespace seiche::render {
 
-Bounds room_of(const RunInfo& run, const Look& look, const Frame& first) {
-  Bounds room{run.tank.low(), run.tank.high()};
+Bounds visible_bounds(const RunInfo& run, const Look& look, const Frame& first) {
+  Bounds bounds{run.tank.low(), run.tank.high()};
   if (look.show_walls && run.dimension == 2)
     for (std::size_t i = 0; i < first.size(); ++i) {
       if (first.kind[i] == Kind::fluid) continue;
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        room.low[axis] = std::min(room.low[axis], first.position[i][axis] - run.spacing / 2);
-        room.high[axis] = std::max(room.high[axis], first.position[i][axis] + run.spacing / 2);
+        bounds.low[axis] = std::min(bounds.low[axis], first.position[i][axis] - run.spacing / 2);
+        bounds.high[axis] = std::max(bounds.high[axis], first.position[i][axis] + run.spacing / 2);
       }
     }
-  if (look.view == "lab")
+  if (look.view == ReferenceFrame::lab)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      room.low[axis] -= std::abs(run.excursion[axis]);
-      room.high[axis] += std::abs(run.excursion[axis]);
+      bounds.low[axis] -= std::abs(run.excursion[axis]);
+      bounds.high[axis] += std::abs(run.excursion[axis]);
     }
-  return room;
+  return bounds;
 }
 
 void set_background(vtkRenderer* renderer, const Look& look, Rgb paper) {
-  if (look.background == "transparent") {
+  if (look.background == Background::transparent) {
     renderer->SetBackground(0, 0, 0);  // with alpha 0, so that GL's blending leaves colours multiplied by their alpha
     renderer->SetBackgroundAlpha(0);
   } else {
@@ -43,14 +43,14 @@ void set_background(vtkRenderer* renderer, const Look& look, Rgb paper) {
 
 TankView::TankView(vtkRenderer* renderer, const RunInfo& run, const Look& look, const Layout& layout,
                    const Palette& colours, double finest)
-    : run_(run), moves_(look.view == "lab"), quantity_(quantity_of(look.quantity)) {
+    : run_(run), moves_(look.view == ReferenceFrame::lab), quantity_(look.quantity) {
   if (look.show_tank) {
     tank_.push_back(tank_outline(run, layout.line / layout.scale, colours.outline));
     if (run.dimension == 3) tank_.push_back(tank_back(run, colours.shade));
     for (const auto& part : tank_) renderer->AddActor(part);
   }
   particles_.emplace(renderer, run, look, layout.scale, std::max(1.2, 0.08 * layout.font), finest);
-  const bool smooth = look.style == "smooth", lined = surface_sign(look) == SurfaceSign::line;
+  const bool smooth = look.style == Style::smooth, lined = surface_mark(look) == SurfaceMark::line;
   if (smooth || lined) field_.emplace(run, std::max(0.25 * run.spacing, 1 / layout.scale));
   if (smooth) liquid_.emplace(renderer, *field_, ColourMap(look.colour_map));
   if (lined) surface_.emplace(renderer, run, layout.font / layout.scale);

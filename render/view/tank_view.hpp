@@ -7,9 +7,9 @@
 #include "render/liquid/smooth_liquid.hpp"
 #include "render/liquid/surface_line.hpp"
 #include "render/look.hpp"
+#include "render/picture/boxes.hpp"
 #include "render/picture/camera.hpp"
 #include "render/picture/palette.hpp"
-#include "render/picture/places.hpp"
 #include "solver/frame.hpp"
 #include "solver/run_info.hpp"
 
@@ -22,7 +22,7 @@ namespace seiche::render {
 
 /// Everything that any frame of a run may show: the tank with the layers of its wall, and in the lab's view where it
 /// sways to.
-Bounds room_of(const RunInfo& run, const Look& look, const Frame& first);
+Bounds visible_bounds(const RunInfo& run, const Look& look, const Frame& first);
 
 /// Paints a renderer's background, or leaves it transparent.
 void set_background(vtkRenderer* renderer, const Look& look, Rgb paper);

@@ -1,7 +1,5 @@
 #include "solver/motion/motion.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -116,11 +114,16 @@ void Motion::append(double t, std::vector<double>& values) const {
     if (moves(row.value)) values.push_back(at(row.value, t).value / unit_of(row));
 }
 
-std::vector<std::string> motion_columns(const Parameters::Motion& m) {
-  std::vector<std::string> names;
-  for (const DegreeOfFreedomRow& row : degrees_of_freedom)
-    if (course_of(m, row).moves()) names.push_back(fmt::format("{} [{}]", row.name, row.unit()));
-  return names;
+std::vector<Column> motion_columns(const Parameters::Motion& m, const Double3& excursion) {
+  std::vector<Column> columns;
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom) {
+    if (!course_of(m, row).moves()) continue;
+    const std::string name(row.name);
+    columns.push_back({name, std::string(row.unit()), name,
+                       row.rotation ? ColumnKind::rotation : ColumnKind::translation, Rest::zero,
+                       row.rotation ? 1 : excursion[static_cast<std::size_t>(row.axis)]});
+  }
+  return columns;
 }
 
 }  // namespace seiche::solver

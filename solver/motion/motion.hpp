@@ -1,7 +1,7 @@
 #pragma once
-#include <string>
 #include <vector>
 
+#include "solver/column.hpp"
 #include "solver/frame.hpp"
 #include "solver/motion/course.hpp"
 #include "solver/parameters.hpp"
@@ -46,7 +46,8 @@ class Motion {
   Eigen::Vector3d spin_ = Eigen::Vector3d::Zero();
 };
 
-/// Names with units of what the motion moves, as in "surge [m]" and "roll [deg]".
-std::vector<std::string> motion_columns(const Parameters::Motion& m);
+/// The columns of what the motion moves.
+/// @param excursion scale of translations along each axis [m]
+std::vector<Column> motion_columns(const Parameters::Motion& m, const Double3& excursion);
 
 }  // namespace seiche::solver

@@ -22,15 +22,18 @@ void number_density(const Pairs<D>& pairs, const State<D>& s, Scalars& n, std::v
   }
 }
 
-/// Free surface, equation (11): n_i < beta n0. With `count_share` > 0 the particle must also have at most that share
+/// Share of the full neighbour count up to which a particle may be at the free surface (Tanaka & Masunaga 2010).
+inline constexpr double count_share = 0.85;
+
+/// Free surface, equation (11): n_i < beta n0. With `most_share` > 0 the particle must also have at most that share
 /// of the full lattice's neighbours: weighing and counting together stop the flicker that comes from weighing alone
 /// (after Tanaka & Masunaga 2010). Wall particles are judged alike; dummies never.
-inline void mark_free_surface(const Reference& ref, double beta, double count_share, const Scalars& n,
+inline void mark_free_surface(const Reference& ref, double beta, double most_share, const Scalars& n,
                               const std::vector<int>& count, const std::vector<Kind>& kind,
                               std::vector<std::uint8_t>& surface) {
-  const int most_count = static_cast<int>(count_share * ref.count + 1e-9);
+  const int most_count = static_cast<int>(most_share * ref.count + 1e-9);
   for (std::size_t i = 0; i < n.size(); ++i)
-    surface[i] = kind[i] != Kind::dummy && n[i] < beta * ref.n0 && (count_share == 0 || count[i] <= most_count);
+    surface[i] = kind[i] != Kind::dummy && n[i] < beta * ref.n0 && (most_share == 0 || count[i] <= most_count);
 }
 
 /// 1 at the free surface and wherever a neighbour is on it. Found from the surface, of which there is little: pairs

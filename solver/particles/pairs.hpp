@@ -76,7 +76,7 @@ class Pairs {
     double squared[block], weight[block], least = chunk.least_squared;
     for (int begin = 0; begin < static_cast<int>(row.size()); begin += block) {
       const int* js = row.data() + begin;
-      const int count = std::min<int>(block, row.size() - begin);
+      const int count = std::min(block, static_cast<int>(row.size()) - begin);
 #pragma omp simd reduction(min : least)
       for (int m = 0; m < count; ++m) {
         const double r2 = squared_distance<D>(s.position, js[m], ri);

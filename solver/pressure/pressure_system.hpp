@@ -6,6 +6,10 @@
 
 namespace seiche::solver {
 
+/// Added to the diagonal of the pressure equation, in units of n0: keeps the matrix definite where a clump of particles
+/// touches no free surface, and is far below the discretisation error everywhere else.
+inline constexpr double definite = 1e-7;
+
 /// The pressure equation (10) as A p = b, A sparse, symmetric, positive definite. Both sides of equation (10) are
 /// multiplied by -lambda n0/(2d), so that row i reads  sum_j w_ij (p_i - p_j) + c p_i = b_i.
 template <int D>

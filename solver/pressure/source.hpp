@@ -1,41 +1,46 @@
 #pragma once
 #include <cmath>
+#include <variant>
 
 #include "solver/parameters.hpp"
 
+// The source of the pressure equation, its right-hand side over -1: rho times the rate at which the density must fall
+// [kg/(m^3 s^2)].
 namespace seiche::solver {
 
-/// Share of the full neighbour count up to which a particle may be at the free surface (Tanaka & Masunaga 2010).
-inline constexpr double count_share = 0.85;
+/// (rho/dt^2) (n - n0)/n0, equation (10).
+struct DensitySource {
+  double density;  ///< rho [kg/m^3]
 
-/// Added to the diagonal of the pressure equation, in units of n0: keeps the matrix definite where a clump of particles
-/// touches no free surface, and is far below the discretisation error everywhere else.
-inline constexpr double definite = 1e-7;
+  explicit DensitySource(const Parameters& p) : density(p.fluid.density) {}
 
-/// Right-hand side of the pressure equation over -1: rho times the rate at which the density must fall [kg/(m^3 s^2)].
-///  density: (rho/dt^2) (n - n0)/n0, equation (10);
-///  mixed:   (rho/dt) (-div u* + rate e), e the excess of particles (volume.hpp) (after Tanaka & Masunaga 2010). They
-///           write gamma/dt for the rate and n for the measure; a rate that doesn't change with dt keeps the two terms
-///           in balance when it does, else each change is a pressure spike. 0.1 sqrt(g H)/l0 is their gamma of 0.02 at
-///           the longest step of alpha = 0.2. Near the free surface, where neighbours lack, e < 0 means nothing and is
-///           dropped.
-struct Source {
-  bool mixed;
+  /// @param excess of number density, (n - n0)/n0
+  double operator()(double excess, double dt) const { return density * excess / (dt * dt); }
+};
+
+/// (rho/dt) (-div u* + rate e), e the excess of particles (volume.hpp) (after Tanaka & Masunaga 2010). They write
+/// gamma/dt for the rate and n for the measure; a rate that doesn't change with dt keeps the two terms in balance when
+/// it does, else each change is a pressure spike. 0.1 sqrt(g H)/l0 is their gamma of 0.02 at the longest step of
+/// alpha = 0.2. Near the free surface, where neighbours lack, e < 0 means nothing and is dropped.
+struct MixedSource {
   double density;  ///< rho [kg/m^3]
   double rate;     ///< [1/s]
-  double dt;       ///< [s]
 
-  Source(const Parameters& p, double step)
-      : mixed(p.method.source == SourceTerm::mixed),
-        density(p.fluid.density),
-        rate(0.1 * std::sqrt(p.gravity * p.fluid.depth) / p.particles.spacing),
-        dt(step) {}
+  explicit MixedSource(const Parameters& p)
+      : density(p.fluid.density), rate(0.1 * std::sqrt(p.gravity * p.fluid.depth) / p.particles.spacing) {}
 
-  double operator()(double divergence, double excess, bool near_surface) const {
-    if (!mixed) return density * excess / (dt * dt);
+  /// @param divergence of u* [1/s]
+  double operator()(double divergence, double excess, bool near_surface, double dt) const {
     if (near_surface && excess < 0) excess = 0;
     return density / dt * (-divergence + rate * excess);
   }
 };
+
+using Source = std::variant<DensitySource, MixedSource>;
+
+inline Source make_source(const Parameters& p) {
+  if (p.method.source == SourceTerm::density) return DensitySource(p);
+  return MixedSource(p);
+}
 
 }  // namespace seiche::solver

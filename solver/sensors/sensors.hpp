@@ -1,10 +1,10 @@
 #pragma once
+#include <memory>
+#include <vector>
+
 #include "solver/frame.hpp"
 #include "solver/motion/motion.hpp"
-#include "solver/sensors/budget.hpp"
-#include "solver/sensors/pressure_sensor.hpp"
-#include "solver/sensors/wall_load.hpp"
-#include "solver/sensors/wave_gauge.hpp"
+#include "solver/sensors/sensor.hpp"
 
 namespace seiche::solver {
 
@@ -42,9 +42,7 @@ class Sensors {
   Motion motion_;
   FluidCells<D> cells_;
   SurfaceProfile<D> surface_;
-  WallLoad<D> walls_;
-  std::vector<PressureSensor<D>> pressures_;
-  std::vector<WaveGauge> gauges_;
+  std::vector<std::unique_ptr<Sensor<D>>> sensors_;
   Scalars now_;  ///< a buffer
 };
 

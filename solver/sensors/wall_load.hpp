@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "solver/sensors/pressure_fit.hpp"
+#include "solver/sensors/scales.hpp"
+#include "solver/sensors/sensor.hpp"
 
 namespace seiche::solver {
 
@@ -78,6 +80,34 @@ class WallLoad {
   Eigen::Vector2d pivot_;
   std::vector<Square> squares_;
   std::vector<Load<D>> loads_;
+};
+
+/// Force and moment on the walls.
+template <int D>
+class WallLoadSensor : public Sensor<D> {
+ public:
+  static std::vector<Column> columns(const Parameters& p) {
+    if (!p.sensors.force) return {};
+    const Scales scales(p);
+    const auto force = [&](const char* name, const char* title, Rest rest) {
+      return Column{name, D == 3 ? "N" : "N/m", title, ColumnKind::force, rest, scales.force};
+    };
+    std::vector<Column> all{force("force_x", "force x", Rest::zero), force("force_y", "force y", Rest::first_value)};
+    if (D == 3) all.push_back(force("force_z", "force z", Rest::zero));
+    all.push_back({"moment", D == 3 ? "N m" : "N m/m", "moment", ColumnKind::moment, Rest::first_value, scales.moment});
+    return all;
+  }
+
+  WallLoadSensor(const Parameters& p, const State<D>& start) : walls_(p, start) {}
+
+  void read(const Instant<D>& now, Scalars& values) override {
+    const Load<D> load = walls_.read(now.s, now.cells);
+    values.insert(values.end(), load.force.begin(), load.force.end());
+    values.push_back(load.moment);
+  }
+
+ private:
+  WallLoad<D> walls_;
 };
 
 }  // namespace seiche::solver

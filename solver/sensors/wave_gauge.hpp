@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/sensors/surface_profile.hpp"
+#include "solver/sensors/scales.hpp"
+#include "solver/sensors/sensor.hpp"
+#include "solver/sensors/sensor_list.hpp"
 
 namespace seiche::solver {
 
@@ -66,6 +68,36 @@ class WaveGauge {
     double weight;
   };
   std::vector<Weight> weights_;
+};
+
+/// All that the scene names. They read the height above still level, to 1e-9 l0: what round-off leaves of a lattice at
+/// rest is 0.
+template <int D>
+class WaveGauges : public Sensor<D> {
+ public:
+  static std::vector<Column> columns(const Parameters& p) {
+    std::vector<Column> all;
+    for (const auto& gauge : sensors_of(p).gauge)
+      all.push_back({"eta_" + gauge.name, "m", "elevation, " + in_words(gauge.name), ColumnKind::elevation, Rest::zero,
+                     Scales(p).length});
+    return all;
+  }
+
+  WaveGauges(const Parameters& p, const State<D>&) : depth_(p.fluid.depth), l0_(p.particles.spacing) {
+    const SurfaceProfile<D> profile(p);
+    for (const auto& gauge : sensors_of(p).gauge)
+      gauges_.emplace_back(gauge.x / l0_, gauge.z / l0_, profile.count(0), profile.count(1));
+  }
+
+  void read(const Instant<D>& now, Scalars& values) override {
+    const double grain = 1e-9 * l0_;
+    for (const auto& gauge : gauges_)
+      values.push_back(std::round((gauge.level(now.surface) - depth_) / grain) * grain + 0.0);  // + 0.0: never -0
+  }
+
+ private:
+  double depth_, l0_;
+  std::vector<WaveGauge> gauges_;
 };
 
 }  // namespace seiche::solver

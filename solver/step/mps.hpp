@@ -1,55 +1,17 @@
 #pragma once
-#include <omp.h>
-
-#include <memory>
-
 #include "solver/motion/body_force.hpp"
-#include "solver/operators/density.hpp"
-#include "solver/operators/divergence.hpp"
-#include "solver/operators/gradient.hpp"
-#include "solver/operators/kernels.hpp"
-#include "solver/operators/laplacian.hpp"
+#include "solver/operators/pressure_gradient.hpp"
 #include "solver/operators/separation.hpp"
-#include "solver/operators/strain_rate.hpp"
-#include "solver/operators/volume.hpp"
-#include "solver/pressure/pressure_solver.hpp"
-#include "solver/pressure/pressure_system.hpp"
-#include "solver/pressure/source.hpp"
-#include "solver/pressure/surface_pressure.hpp"
-#include "solver/sensors/sensors.hpp"
+#include "solver/operators/shift.hpp"
+#include "solver/operators/surface_detection.hpp"
+#include "solver/operators/viscosity.hpp"
+#include "solver/pressure/pressure_equation.hpp"
 #include "solver/simulation.hpp"
 #include "solver/step/run_state.hpp"
-#include "solver/step/snapshot.hpp"
+#include "solver/step/stage.hpp"
 #include "solver/step/watch.hpp"
-#include "solver/tank/filling.hpp"
-#include "solver/tank/losses.hpp"
-#include "solver/tank/standing_wave.hpp"
-#include "solver/tank/wall_wetness.hpp"
 
 namespace seiche::solver {
-
-/// A kernel with one support, its constants on the initial lattice, and the pairs within it.
-template <int D>
-struct Range {
-  Kernel w;
-  Reference ref;
-  std::shared_ptr<Pairs<D>> pairs = std::make_shared<Pairs<D>>();  ///< ranges of one radius share them
-
-  Range(const Parameters& p, double radius)
-      : w(find_kernel(p.method.kernel, radius * p.particles.spacing, p.method.kf2_alpha)),
-        ref(std::visit([&](auto kernel) { return lattice_reference<D>(kernel, p.particles.spacing); }, w)) {}
-};
-
-/// Adds the time that it lives to a stage's total.
-class Stage {
- public:
-  explicit Stage(double& total) : total_(total), start_(omp_get_wtime()) {}
-  ~Stage() { total_ += omp_get_wtime() - start_; }
-
- private:
-  double& total_;
-  double start_;
-};
 
 /// The moving-particle semi-implicit method (Pan, Zhang, Lu 2008) in D dimensions.
 template <int D>
@@ -69,65 +31,48 @@ class Mps final : public Simulation {
   void resume(const RunState<D>& state);
 
  private:
-  void step_move_first(double dt);
-  void step_project_first(double dt);
-  void predict(double dt);
-  void refresh_neighbours();
-  void list_neighbours();
-  void measure_pairs();
-  void find_surface();
-  void set_force(const BodyForce<D>& force);
-  void solve_pressure(double dt, double surface_density);
-  void clip_pressure();
-  template <class Boundary>
-  void assemble(const Boundary& boundary, double dt);
-  void solve_system();
-  void correct_velocity(double dt);
-  void separate();
-  void take_out_lost();
+  void count_kinds();
   void start_at_rest_in_lab();
 
-  bool ghost_walls() const { return p_.method.wall_model == WallModel::ghosts; }
+  void step_move_first(double dt);
+  void step_project_first(double dt);
+  void list_neighbours();
+  void find_neighbours();
+  void find_surface();
+  void predict(double dt);
+  void solve_pressure(double dt, double surface_density);
+  void clip_pressure();
+  void correct(double dt);
+  void separate();
+  void remove_lost();
 
-  /// Calls f(i) for every fluid particle.
-  template <class F>
-  void each_fluid(F f) {
-    const int size = static_cast<int>(s_.size());
-#pragma omp parallel for schedule(static)
-    for (int i = 0; i < size; ++i)
-      if (s_.kind[i] == Kind::fluid) f(i);
-  }
   template <class F>
   void move_fluid(F by) {
-    each_fluid([&](int i) { s_.position[i] += by(i); });
+    each_fluid(s_, [&](int i) { s_.position[i] += by(i); });
   }
 
   Parameters p_;
   Motion motion_;
-  std::shared_ptr<const Shape<D>> shape_;
-  double l0_;
-  Range<D> density_range_, gradient_range_, laplacian_range_;
-  RunState<D> run_;
+  std::shared_ptr<const Shape<D>> tank_;
+
+  RunState<D> run_;  ///< all that a step reads of the one before
   State<D>& s_ = run_.particles;
   Statistics& totals_ = run_.totals;
-  Neighbours<D> list_;
-  PressureSystem<D> system_;
-  std::unique_ptr<PressureSolver> solver_;
+
+  // The stages. What they keep is for one step, the neighbour list apart.
+  Interactions<D> near_;
+  std::unique_ptr<Walls<D>> walls_;
+  SurfaceDetection<D> surface_;
+  Viscosity<D> viscosity_;
+  PressureEquation<D> equation_;
+  PressureGradient gradient_;
+  ParticleShift shift_;
+  Separation<D> separation_;
   Sensors<D> sensors_;
   Watch<D> watch_;
-  double force_divergence_ = 0;  ///< of f [1/s^2]
-  WallWetness<D> wetness_;
-  VolumeKernel volume_kernel_;
-  double whole_volume_;  ///< its sum on the lattice
-  SurfaceDepth surface_depth_;
 
-  // Buffers: nothing in them is read by the next step.
-  Scalars excess_, divergence_;
-  std::vector<int> count_, collisions_;
-  Vecs<D> change_;
-  Vecs<D> force_, slope_;  ///< f of this step at each fluid particle [m/s^2], and rho f [Pa/m]
-  Vecs<D> viscous_;        ///< nu times the Laplacian of u [m/s^2]
-  Scalars solution_;
+  Forces<D> forces_;  ///< of this step
+  Vecs<D> change_;    ///< of this step: of the velocity by the pressure [m/s], then the shift [m]
 };
 
 /// Compiled in mps_2d.cpp and mps_3d.cpp.

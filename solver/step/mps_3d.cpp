@@ -1,3 +1,4 @@
+#include "solver/step/mps_run.hpp"
 #include "solver/step/mps_steps.hpp"
 
 namespace seiche::solver {

@@ -6,6 +6,8 @@
 
 #include "solver/errors.hpp"
 #include "solver/motion/motion.hpp"
+#include "solver/particles/state.hpp"
+#include "solver/pressure/linear_solver.hpp"
 #include "solver/statistics.hpp"
 #include "solver/step/time_step.hpp"
 #include "solver/tank/shape.hpp"
@@ -17,7 +19,8 @@ template <int D>
 class Watch {
  public:
   Watch(const Parameters& p, const Shape<D>& shape, const Motion& motion)
-      : speed_limit_(10 * (std::sqrt(2 * p.gravity * shape.bounds().size().norm()) +
+      : pressure_(p.pressure),
+        speed_limit_(10 * (std::sqrt(2 * p.gravity * shape.bounds().size().norm()) +
                            motion.fastest(reach(shape.bounds(), p.motion)))),
         cap_(step_cap(p)) {}
 
@@ -39,6 +42,20 @@ class Watch {
       fail(s, first(s, [&](int i) { return s.velocity[i].norm() > speed_limit_; }),
            fmt::format("the speed of {:.3g} m/s is beyond the limit of {:.3g} m/s", fastest, speed_limit_));
     return fastest;
+  }
+
+  /// Throws when the right-hand side of the pressure equation isn't finite.
+  void check_source(const State<D>& s, bool finite) const {
+    if (!finite) fail_not_finite(s);
+  }
+
+  /// Throws when the pressure solver did not converge.
+  void check_solve(const State<D>& s, const SolveReport& report) const {
+    if (!report.converged)
+      throw RunFailure({s.time, s.step,
+                        fmt::format("the pressure solver '{}' did not converge", name(pressure_.solver)),
+                        fmt::format("{} iterations, relative residual {:.2g}, asked for {:.2g}", report.iterations,
+                                    report.residual, pressure_.tolerance)});
   }
 
   /// Throws RunFailure, naming the first particle that isn't finite where there is one.
@@ -90,6 +107,7 @@ class Watch {
     throw RunFailure({s.time, s.step, why, {}, Failure::Particle{s.kind[i], s.id[i], {r.data(), r.data() + D}}});
   }
 
+  Parameters::Pressure pressure_;
   double speed_limit_, cap_;
 };
 

@@ -11,7 +11,7 @@ std::shared_ptr<const Shape<D>> make_shape(const Parameters& p) {
 template std::shared_ptr<const Shape<2>> make_shape(const Parameters& p);
 template std::shared_ptr<const Shape<3>> make_shape(const Parameters& p);
 
-SurfaceMesh tank_surface(const Parameters& p) {
+SurfaceMesh wall_surface(const Parameters& p) {
   return p.dimension() == 3 ? make_shape<3>(p)->surface() : make_shape<2>(p)->surface();
 }
 

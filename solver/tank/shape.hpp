@@ -52,7 +52,7 @@ template <int D>
 std::shared_ptr<const Shape<D>> make_shape(const Parameters& p);
 
 /// The wall of a run's tank, in 2-D or 3-D.
-SurfaceMesh tank_surface(const Parameters& p);
+SurfaceMesh wall_surface(const Parameters& p);
 
 /// Throws BadParameters for a tank that particles of this spacing can't line.
 void check_shape(const Parameters& p);

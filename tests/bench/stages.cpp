@@ -4,8 +4,9 @@
 
 #include <map>
 
+#include "solver/operators/close_pairs.hpp"
 #include "solver/operators/divergence.hpp"
-#include "solver/operators/separation.hpp"
+#include "solver/operators/shift.hpp"
 #include "solver/operators/strain_rate.hpp"
 #include "tests/bench/stirred_tank.hpp"
 

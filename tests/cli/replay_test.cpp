@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "tests/cli/program.hpp"
+#include "tests/facts.hpp"
 #include "tests/unit/apps/files.hpp"
 
 namespace fs = std::filesystem;
@@ -129,23 +130,19 @@ TEST_F(Replay, BadInputIsRefusedInOneSentenceAndNothingIsWritten) {
     EXPECT_EQ(error_of({verb, "out"}), "seiche: out has no run.json" + expected);
     EXPECT_TRUE(error_of({verb, "half"})
                     .starts_with("seiche: half/run.json can't be used: it is damaged or cut off at byte 16"));
-    EXPECT_EQ(error_of({verb, "out/quick", "--set", "look.colour_mop=turbo"}),
-              "--set look.colour_mop=turbo: unknown key 'look.colour_mop'; did you mean 'look.colour_map'?\n");
-    EXPECT_EQ(error_of({verb, "out/quick", "--set", "motion.amplitude=1"}),
-              "--set motion.amplitude=1: motion.amplitude is settled by the run; only [look] and output.size can be "
-              "changed without running the scene again\n");
-    EXPECT_EQ(error_of({verb, "out/quick", "--frames", "3:1"}),
-              "seiche: '3:1' are no frames; give the first and the last one, as in 100:200, 100: or :200\n");
-    EXPECT_EQ(error_of({verb, "out/quick", "--from", "9"}),
-              "seiche: none of the frames in out/quick is among those asked for: it has 0 to 1, from 0 to 0.04 s\n");
+    EXPECT_TRUE(test::tells(error_of({verb, "out/quick", "--set", "look.colour_mop=turbo"}),
+                            {"--set", "look.colour_mop=turbo", "'look.colour_mop'", "'look.colour_map'?"}));
+    EXPECT_TRUE(test::tells(error_of({verb, "out/quick", "--set", "motion.amplitude=1"}),
+                            {"--set", "motion.amplitude=1", "motion.amplitude", "[look]", "output.size"}));
+    EXPECT_TRUE(test::tells(error_of({verb, "out/quick", "--frames", "3:1"}), {"'3:1'", "100:200", "100", ":200"}));
+    EXPECT_TRUE(test::tells(error_of({verb, "out/quick", "--from", "9"}), {"out/quick", "0", "1", "0", "0.04"}));
     EXPECT_NE(error_of({verb, "out/quick", "--range", "run", "--latest"}).find("needs all of them"), std::string::npos);
   }
   EXPECT_NE(error_of({"render", "out/quick", "--size", "161x120", "--movie", "mp4"}).find("even width"),
             std::string::npos);
-  EXPECT_NE(error_of({"movie", "out/quick", "-o", "a.avi"}).find(".mp4, .webm or .gif"), std::string::npos);
+  EXPECT_TRUE(test::tells(error_of({"movie", "out/quick", "-o", "a.avi"}), {"a.avi", ".mp4", ".webm", ".gif"}));
   write_text(scratch / "a.gif", "mine");
-  EXPECT_EQ(error_of({"movie", "out/quick", "-o", "a.gif"}),
-            "seiche: a.gif exists; choose another name with -o FILE, or replace it with --overwrite\n");
+  EXPECT_TRUE(test::tells(error_of({"movie", "out/quick", "-o", "a.gif"}), {"a.gif", "--overwrite"}));
   EXPECT_EQ(read_file(scratch / "a.gif"), "mine");
   EXPECT_FALSE(fs::exists(out / "render"));
 }

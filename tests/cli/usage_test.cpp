@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "tests/cli/program.hpp"
+#include "tests/facts.hpp"
 #include "tests/unit/apps/files.hpp"
 
 namespace seiche::test {
@@ -23,8 +24,7 @@ TEST(Usage, HelpListsVerbsOutputsAndExitCodes) {
 
 TEST(Usage, EachVerbHasItsOwnHelpWithExamples) {
   const Scratch scratch;
-  for (const std::string verb :
-       {"run", "compare", "render", "movie", "check", "info", "kernels", "validate"}) {
+  for (const std::string verb : {"run", "compare", "render", "movie", "check", "info", "kernels", "validate"}) {
     const Result result = seiche(scratch.folder(), {verb, "--help"});
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.out.find("Examples:\n  seiche " + verb), std::string::npos) << result.out;
@@ -91,31 +91,25 @@ TEST(Usage, EachBadSceneExitsWith2AndNamesTheFault) {
     EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
     return result.err;
   };
-  EXPECT_EQ(error_of("[fluid]\ndepth = 0.5\n"), "x.toml: fluid.depth = 0.5 m is more than tank.height = 0.4 m\n");
-  EXPECT_EQ(error_of("", {"--end", "-1"}),
-            "--end -1: [time] end = -1 is out of range; expected a number above 0, up to 100000 [s]\n");
+  EXPECT_TRUE(test::tells(error_of("[fluid]\ndepth = 0.5\n"), {"x.toml", "fluid.depth", "0.5", "tank.height", "0.4"}));
+  EXPECT_TRUE(test::tells(error_of("", {"--end", "-1"}), {"--end", "-1", "[time]", "end", "-1", "0", "100000", "[s]"}));
   EXPECT_EQ(error_of("[fluid\n").substr(0, 9), "x.toml:1:");
-  EXPECT_EQ(error_of("", {"--kernel", "KF9"}),
-            "--kernel KF9: [method] kernel = 'KF9' is none of its choices; expected one of KF1, KF2, KF3, KF4, KF5\n");
-  EXPECT_EQ(
-      error_of("", {"--range", "1"}),
-      "--range 1: [look] range = '1' cannot be used; expected scene, frame, run, or min,max as in -100,3000, in the "
-      "quantity's unit\n");
-  EXPECT_EQ(error_of("", {"--set", "tank.lenght=1"}),
-            "--set tank.lenght=1: unknown key 'tank.lenght'; did you mean 'tank.length'?\n");
-  EXPECT_EQ(error_of("", {"--set", "look.curves=eta_lft"}),
-            "--set look.curves=eta_lft: [look] curves = 'eta_lft' is no sensor of this scene; expected one of "
-            "p_left_bottom, eta_left, eta_right, force_x, force_y, moment, kinetic_energy, potential_energy, volume, "
-            "x_mass, y_mass; did you "
-            "mean 'eta_left'?\n");
-  EXPECT_EQ(error_of("[look]\ncurves = \"eta_left, p_roof\"\n").substr(0, 40),
-            "x.toml:2:10: [look] curves = 'p_roof' is");
-  EXPECT_EQ(error_of("[look]\ncurves = \"a, b, c, d\"\n"),
-            "x.toml:2:10: [look] curves = 'a, b, c, d' cannot be used; expected auto, none, or up to 3 sensors, as in "
-            "eta_left, p_left_bottom\n");
+  EXPECT_TRUE(test::tells(error_of("", {"--kernel", "KF9"}),
+                          {"--kernel", "KF9", "[method]", "kernel", "'KF9'", "KF1", "KF2", "KF3", "KF4", "KF5"}));
+  EXPECT_TRUE(test::tells(error_of("", {"--range", "1"}), {"--range", "1", "[look]", "range", "'1'", "-100,3000"}));
+  EXPECT_TRUE(test::tells(error_of("", {"--set", "tank.lenght=1"}),
+                          {"--set", "tank.lenght=1", "'tank.lenght'", "'tank.length'?"}));
+  EXPECT_TRUE(test::tells(
+      error_of("", {"--set", "look.curves=eta_lft"}),
+      {"--set", "look.curves=eta_lft", "[look]", "curves", "'eta_lft'", "p_left_bottom", "eta_left", "eta_right",
+       "force_x", "force_y", "kinetic_energy", "potential_energy", "x_mass", "y_mass", "'eta_left'?"}));
+  EXPECT_TRUE(test::tells(error_of("[look]\ncurves = \"eta_left, p_roof\"\n").substr(0, 40),
+                          {"x.toml:2:10", "[look]", "curves", "'p_roof'"}));
+  EXPECT_TRUE(test::tells(error_of("[look]\ncurves = \"a, b, c, d\"\n"),
+                          {"x.toml:2:10", "[look]", "curves", "'a", "d'", "3", "eta_left", "p_left_bottom"}));
   write_text(scratch / "bad.csv", "t,eta_left\n0,0\n0.1,wet\n");
-  EXPECT_EQ(error_of("[[look.reference]]\nof = \"eta_left\"\nfile = \"bad.csv\"\n"),
-            "bad.csv:3: eta_left = 'wet'; expected a number, as in -1.5e-3\n");
+  EXPECT_TRUE(test::tells(error_of("[[look.reference]]\nof = \"eta_left\"\nfile = \"bad.csv\"\n"),
+                          {"bad.csv:3", "eta_left", "'wet'", "-1.5e-3"}));
   EXPECT_NE(error_of("[output]\nsize = \"641x480\"\n").find("even width"), std::string::npos);
   EXPECT_EQ(seiche(scratch.folder(), {"check", "y.toml"}).err,
             "y.toml: there is no such file; did you mean 'x.toml'?\n");
@@ -251,8 +245,7 @@ TEST(Usage, ValidateRefusesWhatIsntThereAndWritesNothing) {
     EXPECT_EQ(result.code, 2);
     return result.err;
   };
-  EXPECT_EQ(error_of({"--only", "roll,dam-brake"}),
-            "seiche: there is no case 'dam-brake'; did you mean 'dam-break'?\n");
+  EXPECT_TRUE(test::tells(error_of({"--only", "roll,dam-brake"}), {"'dam-brake'", "'dam-break'?"}));
   EXPECT_EQ(error_of({"."}), "seiche: . is no folder of scenes: it has no reference/\n");
   EXPECT_TRUE(std::filesystem::is_empty(scratch.folder()));
   write_text(scratch / "out/validate/notes.txt", "mine");

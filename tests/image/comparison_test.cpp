@@ -32,7 +32,7 @@ TEST(ComparisonBaseline, FiveSmall) {
 
 TEST(ComparisonBaseline, NineOnBlack) {
   Look look = sized(1280, 720);
-  look.background = "black";
+  look.background = Background::black;
   test::expect_baseline("comparison-black", test::draw_comparison(look, tank, 9, 0.9));
 }
 

@@ -34,7 +34,7 @@ TEST(CurvesBaseline, TwoWithAReference) {
 
 TEST(CurvesBaseline, OneWithTwoReferencesOnBlack) {
   Look look = sized(640, 360);
-  look.background = "black";
+  look.background = Background::black;
   look.curves = "eta_left";
   look.references = {test::reference(), test::reference(0.7)};
   look.references.back().label = "linear theory";
@@ -43,7 +43,7 @@ TEST(CurvesBaseline, OneWithTwoReferencesOnBlack) {
 
 TEST(CurvesBaseline, Transparent) {
   Look look = sized(1280, 720);
-  look.background = "transparent";
+  look.background = Background::transparent;
   look.curves = "eta_right, surge";
   test::expect_baseline("curves-transparent", draw(look, 3.8));
 }

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "render/view/painter.hpp"
 #include "render/picture/range.hpp"
+#include "render/view/painter.hpp"
 #include "tests/image/baseline.hpp"
 #include "tests/image/ssim.hpp"
 #include "tests/unit/render/synthetic.hpp"
@@ -28,21 +28,21 @@ TEST(Baseline, Large) { expect_baseline("large", draw(sized(1280, 720), sloshing
 
 TEST(Baseline, BlackBackground) {
   Look look = sized(640, 360);
-  look.background = "black";
-  look.colour_map = "turbo";
+  look.background = Background::black;
+  look.colour_map = ColourMapName::turbo;
   expect_baseline("black", draw(look, {.length = 1.2, .height = 0.3, .depth = 0.15, .closed = false}, 0.05));
 }
 
 TEST(Baseline, Transparent) {
   Look look = sized(640, 360);
-  look.background = "transparent";
-  look.style = "dot";
+  look.background = Background::transparent;
+  look.style = Style::dot;
   expect_baseline("transparent", draw(look, sloshing, 0.2));
 }
 
 TEST(Baseline, ClassesHaveAKeyInsteadOfARange) {
   Look look = sized(640, 360);
-  look.quantity = "kind";
+  look.quantity = Quantity::kind;
   expect_baseline("classes", draw(look, sloshing, 0.2));
 }
 
@@ -74,7 +74,7 @@ TEST(Similarity, SeesAnotherSurface) {
 
 TEST(Similarity, SeesAnotherColourMap) {
   Look other = sized(640, 360);
-  other.colour_map = "cividis";
+  other.colour_map = ColourMapName::cividis;
   EXPECT_LT(test::similarity(draw(sized(640, 360), sloshing, 0.2), draw(other, sloshing, 0.2)).mean, least_mean);
 }
 

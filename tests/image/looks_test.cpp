@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "render/view/painter.hpp"
 #include "render/picture/range.hpp"
+#include "render/view/painter.hpp"
 #include "tests/image/baseline.hpp"
 #include "tests/image/ssim.hpp"
 #include "tests/unit/render/synthetic.hpp"
@@ -32,7 +32,7 @@ Look arrows(int width, int height) {
 
 Look smooth(int width, int height) {
   Look look = sized(width, height);
-  look.style = "smooth";
+  look.style = Style::smooth;
   return look;
 }
 

@@ -7,25 +7,19 @@
 namespace seiche::physics {
 namespace {
 
-/// Index of a column of the readings.
-std::size_t column(const Parameters& p, const std::string& name) {
-  const auto names = sensor_columns(p);
-  return std::find(names.begin(), names.end(), name) - names.begin();
-}
-
 // The walls are all that moves the water sideways, so the momentum that they take from it over some time is what the
 // water has lost in the lab; and in the mean they carry its weight.
 TEST(WallForce, BalancesTheMomentumOfTheWater) {
   const Parameters p = pan2008(Preset::stabilised, 0.01);
   const auto simulation = make_simulation(p, 0.001);
-  const std::size_t columns = sensor_columns(p).size(), fx = column(p, "force_x [N/m]"), fy = fx + 1;
+  const std::size_t columns = sensor_columns(p).size(), fx = find_column(sensor_columns(p), "force_x"), fy = fx + 1;
   const double mass = p.fluid.density * p.tank.length * p.fluid.depth, w = 2 * M_PI * p.motion.harmonic.frequency;
   const auto momentum = [&](const Frame& frame) {
     double sum = 0;
     long n = 0;
     for (std::size_t i = 0; i < frame.size(); ++i)
       if (frame.kind[i] == Kind::fluid) sum += frame.velocity[i][0], ++n;
-    return mass * (sum / n + p.motion.harmonic.amplitude * w * std::cos(w * frame.time));
+    return mass * (sum / static_cast<double>(n) + p.motion.harmonic.amplitude * w * std::cos(w * frame.time));
   };
   // From 0.05 s on, when the first steps after the impulsive start are over.
   double impulse = 0, last = 0, start = 0, error = 0, greatest = 0, weight = 0;
@@ -46,7 +40,7 @@ TEST(WallForce, BalancesTheMomentumOfTheWater) {
     greatest = std::max(greatest, std::abs(momentum(frame) - start));
   });
   EXPECT_LT(error, 0.03 * greatest) << error << " of " << greatest << " N s/m";
-  EXPECT_NEAR(weight / samples, -mass * p.gravity, 0.005 * mass * p.gravity);
+  EXPECT_NEAR(weight / static_cast<double>(samples), -mass * p.gravity, 0.005 * mass * p.gravity);
 }
 
 }  // namespace

@@ -31,7 +31,8 @@ inline Parameters still_tank(double length, double depth, double height, double 
 inline void run(Simulation& simulation, double interval, double end, const std::function<void(const Frame&)>& look) {
   const long frames = std::lround(end / interval);
   for (long k = 0; k <= frames; ++k) {
-    while (simulation.time() < k * interval) simulation.step(k * interval);
+    const double next = static_cast<double>(k) * interval;
+    while (simulation.time() < next) simulation.step(next);
     look(*simulation.frame(k));
   }
 }
@@ -47,7 +48,7 @@ inline double hydrostatic_error(const Frame& frame, const Parameters& p) {
     sum += error * error;
     ++n;
   }
-  return std::sqrt(sum / n) / (weight * p.fluid.depth);
+  return std::sqrt(sum / static_cast<double>(n)) / (weight * p.fluid.depth);
 }
 
 /// Of the water's centre of mass: x [m].
@@ -56,7 +57,7 @@ inline double centre(const Frame& frame) {
   long n = 0;
   for (std::size_t i = 0; i < frame.size(); ++i)
     if (frame.kind[i] == Kind::fluid) sum += frame.position[i][0], ++n;
-  return sum / n;
+  return sum / static_cast<double>(n);
 }
 
 inline double fastest(const Frame& frame) {

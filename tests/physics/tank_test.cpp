@@ -49,7 +49,7 @@ double start_error(double spacing) {
     const auto u = after_jump(r[0], r[1], p.tank.length, p.fluid.depth, jump);
     sum += std::pow(frame->velocity[i][0] - u[0], 2) + std::pow(frame->velocity[i][1] - u[1], 2);
   }
-  return std::sqrt(sum / fluid(*frame)) / jump;
+  return std::sqrt(sum / static_cast<double>(fluid(*frame))) / jump;
 }
 
 TEST(Start, ImpulsiveConvergesToPotentialTheory) {

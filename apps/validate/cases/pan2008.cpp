@@ -46,7 +46,7 @@ double profile_error(const Run& run, const References& theory) {
     sum.squares += d.squares;
     sum.count += d.count;
   }
-  return std::sqrt(sum.squares / sum.count);
+  return std::sqrt(sum.squares / static_cast<double>(sum.count));
 }
 
 /// The worse of the two walls.

@@ -27,9 +27,9 @@ struct Run {
   Recording recording;
   SurfaceFlags flags;
 
-  const Series& left() const { return recording.sensors.at("eta_left [m]"); }
-  const Series& right() const { return recording.sensors.at("eta_right [m]"); }
-  const Series& pressure() const { return recording.sensors.at("p_left_bottom [Pa]"); }
+  const Series& left() const { return recording.sensors.at("eta_left"); }
+  const Series& right() const { return recording.sensors.at("eta_right"); }
+  const Series& pressure() const { return recording.sensors.at("p_left_bottom"); }
   double spacing() const { return recording.parameters.particles.spacing; }
   double weight() const;  ///< rho g h, the corner's pressure at rest [Pa]
 };

@@ -28,7 +28,7 @@ Findings paper(Bench& bench) {
       found.figures.push_back({fmt::format("{:g} mm, {}: lasts", 1000 * spacing, kernel), run.end, "s",
                                target(kernel, run.parameters.time.end)});
       if (kernel != "KF3" || !found.charts.empty()) continue;
-      const Series p = run.sensors.at("p_left_bottom [Pa]").between(0, 3);
+      const Series p = run.sensors.at("p_left_bottom").between(0, 3);
       found.charts.push_back({"The paper's own scheme, 10 mm, KF3: left bottom corner",
                               "t [s]",
                               "pressure [Pa]",

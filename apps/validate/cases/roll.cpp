@@ -12,8 +12,8 @@ Findings roll(Bench& bench) {
   std::vector<std::string> settings{"output.frame_rate=20"};
   if (bench.quick()) settings.push_back("particles.spacing=0.01");
   const Recording run = bench.run("roll", settings);
-  Series half = run.sensors.at("eta_left [m]");
-  const Series& right = run.sensors.at("eta_right [m]");
+  Series half = run.sensors.at("eta_left");
+  const Series& right = run.sensors.at("eta_right");
   for (std::size_t i = 0; i < half.size(); ++i) half.y[i] = 0.5 * (half.y[i] - right.y[i]);
   const Series theory = roll_elevation(run.parameters, 0.01, run.end);
 

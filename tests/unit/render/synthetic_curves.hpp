@@ -10,7 +10,10 @@ namespace seiche::test {
 /// The tank with sensors and a motion.
 inline RunInfo run_with_sensors(const Box& box) {
   RunInfo run = run_info(box);
-  run.sensors = {"p_left_bottom [Pa]", "eta_left [m]", "eta_right [m]", "surge [m]"};
+  run.sensors = {{"p_left_bottom", "Pa", "pressure, left bottom", ColumnKind::pressure, Rest::first_value, 490.5},
+                 {"eta_left", "m", "elevation, left", ColumnKind::elevation, Rest::zero, 0.05},
+                 {"eta_right", "m", "elevation, right", ColumnKind::elevation, Rest::zero, 0.05},
+                 {"surge", "m", "surge", ColumnKind::translation, Rest::zero, 0.02}};
   return run;
 }
 

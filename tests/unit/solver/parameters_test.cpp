@@ -97,10 +97,16 @@ TEST(CheckParameters, WantsWhatTheMotionNeedsAndNothingThatItIgnores) {
   EXPECT_NO_THROW(check_parameters(p));
 }
 
+Parameters::TimeSeries rolling(std::vector<double> time, std::vector<double> roll) {
+  Parameters::TimeSeries series{.time = std::move(time), .values = {}};
+  series[DegreeOfFreedom::roll] = std::move(roll);
+  return series;
+}
+
 TEST(CheckParameters, WantsASeriesThatIsWholeAndAsLongAsTheRun) {
   Parameters p;
   p.time.end = 3;
-  p.motion = {.type = MotionType::file, .series = {{0, 1, 2, 3}, {{{}, {}, {}, {0, 1, 0, 1}}}}};
+  p.motion = {.type = MotionType::file, .series = rolling({0, 1, 2, 3}, {0, 1, 0, 1})};
   EXPECT_NO_THROW(check_parameters(p));
   const auto refused = [&](Parameters::TimeSeries series, double end) {
     Parameters bad = p;
@@ -109,11 +115,11 @@ TEST(CheckParameters, WantsASeriesThatIsWholeAndAsLongAsTheRun) {
     EXPECT_THROW(check_parameters(bad), BadParameters);
   };
   refused(p.motion.series, 3.1);
-  refused({{0.1, 1, 2, 3}, {}, {}, {0, 1, 0, 1}}, 3);
-  refused({{0, 1, 1, 3}, {}, {}, {0, 1, 0, 1}}, 3);
-  refused({{0, 1, 2, 3}, {}, {}, {0, 1, 0}}, 3);
-  refused({{0, 1, 2, 3}, {}, {}, {0, 1, 0, std::nan("")}}, 3);
-  refused({{0, 1, 3}, {}, {}, {0, 1, 0}}, 3);
+  refused(rolling({0.1, 1, 2, 3}, {0, 1, 0, 1}), 3);
+  refused(rolling({0, 1, 1, 3}, {0, 1, 0, 1}), 3);
+  refused(rolling({0, 1, 2, 3}, {0, 1, 0}), 3);
+  refused(rolling({0, 1, 2, 3}, {0, 1, 0, std::nan("")}), 3);
+  refused(rolling({0, 1, 3}, {0, 1, 0}), 3);
 }
 
 TEST(CheckParameters, LimitsTheNumberOfParticles) {
@@ -169,7 +175,7 @@ TEST(Preset, LeavesTheCaseAlone) {
   apply_preset(p, Preset::paper);
   EXPECT_EQ(p.fluid.depth, 0.3);
   EXPECT_EQ(p.tank.length, 0.9);
-  EXPECT_EQ(p.motion.amplitude, 0.01);
+  EXPECT_EQ(p.motion.harmonic.amplitude, 0.01);
   EXPECT_EQ(p.time.end, 3);
 }
 

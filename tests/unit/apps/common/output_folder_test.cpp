@@ -35,6 +35,21 @@ TEST(OutputFolder, RefusesAFile) {
   EXPECT_THROW((OutputFolder{scratch / "file", "x"}.check(true)), BadFolder);
 }
 
+TEST(OutputFolder, EachKindOfOutputHasItsRow) {
+  ASSERT_EQ(output_rows().size(), output_kinds);
+  for (std::size_t k = 0; k < output_kinds; ++k) EXPECT_EQ(output_rows()[k].kind, static_cast<OutputKind>(k));
+}
+
+TEST(OutputFolder, KnowsWhereAKindIs) {
+  const Scratch scratch;
+  const OutputFolder folder{scratch.folder(), "x"};
+  EXPECT_EQ(folder.place(OutputKind::movie), "");
+  write_text(scratch / "x.gif", "");
+  write_text(scratch / "frames/000000.png", "");
+  EXPECT_EQ(folder.place(OutputKind::movie), scratch / "x.gif");
+  EXPECT_EQ(folder.place(OutputKind::pictures), scratch / "frames" / "");
+}
+
 TEST(OutputFolder, OverwritingTakesOutARunAndNothingElse) {
   const Scratch scratch;
   for (const char* ours : {"frames/000000.png", "frames/.part-000001.png", "vtu/x_000000.vtu", "x.mp4", ".part-x.mp4",

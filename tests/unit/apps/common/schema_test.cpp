@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tests/facts.hpp"
+
 namespace seiche::apps {
 namespace {
 
@@ -19,8 +21,8 @@ std::string refusal_of(const std::string& json) {
 
 TEST(Schema, IsTheOneExpected) {
   EXPECT_EQ(refusal_of(R"({"schema": 2, "more": 3})"), "");
-  EXPECT_EQ(refusal_of(R"({"schema": 3})"), "its schema version is 3; expected 2; run it again");
-  EXPECT_EQ(refusal_of(R"({"schema": "x"})"), "its schema version is \"x\"; expected 2; run it again");
+  EXPECT_TRUE(test::tells(refusal_of(R"({"schema": 3})"), {"3", "2"}));
+  EXPECT_TRUE(test::tells(refusal_of(R"({"schema": "x"})"), {"\"x\"", "2"}));
 }
 
 TEST(Schema, ThatIsMissingTellsAnOldProgram) {

@@ -14,25 +14,25 @@ using test::refusal;
 using test::Scratch;
 using test::write_text;
 
-std::vector<Place> places(const Scratch& scratch, const std::vector<std::string>& folders) {
-  std::vector<Place> all;
+std::vector<ShownRun> shown(const Scratch& scratch, const std::vector<std::string>& folders) {
+  std::vector<ShownRun> all;
   for (const std::string& each : folders) all.push_back({each, scratch / each});
   return all;
 }
 
 TEST(CheckFolder, TakesOneThatIsEmptyOrNotThere) {
   const Scratch scratch;
-  EXPECT_EQ(refusal([&] { check_folder(scratch / "c", places(scratch, {"A", "B"}), false); }), "");
+  EXPECT_EQ(refusal([&] { check_folder(scratch / "c", shown(scratch, {"A", "B"}), false); }), "");
   fs::create_directories(scratch / "c");
-  EXPECT_EQ(refusal([&] { check_folder(scratch / "c", places(scratch, {"A", "B"}), false); }), "");
+  EXPECT_EQ(refusal([&] { check_folder(scratch / "c", shown(scratch, {"A", "B"}), false); }), "");
 }
 
 TEST(CheckFolder, TakesTheSameComparisonOrALargerOneAgainButNoOther) {
   const Scratch scratch;
   const fs::path folder = scratch / "c";
-  write_note(folder, places(scratch, {"A", "c/KF1"}));
+  write_note(folder, shown(scratch, {"A", "c/KF1"}));
   const auto asked = [&](const std::vector<std::string>& folders, bool overwrite = false) {
-    return refusal([&] { check_folder(folder, places(scratch, folders), overwrite); });
+    return refusal([&] { check_folder(folder, shown(scratch, folders), overwrite); });
   };
   EXPECT_EQ(asked({"c/KF1", "A"}), "");
   EXPECT_EQ(asked({"c/../A", "B", "c/KF1"}), "");
@@ -76,12 +76,12 @@ TEST(FolderLock, IsNoneWhereAFileIsInTheWay) {
 TEST(Draft, ReplacesWhatWasThereOnlyWhenItIsPublished) {
   const Scratch scratch;
   const OutputFolder files = files_in(scratch.folder());
-  write_text(files.movie("gif"), "old");
+  write_text(files.movie(render::MovieFormat::gif), "old");
   write_text(files.frames() / "000007.png", "old");
   write_text(files.frames() / "notes.txt", "mine");
   write_text(scratch / "KF1/run.json", "{}");
   const auto draw = [](const Draft& draft) {
-    write_text(draft.files().movie("mp4"), "new");
+    write_text(draft.files().movie(render::MovieFormat::mp4), "new");
     write_text(draft.files().frames() / "000000.png", "new");
   };
   const auto left = [&] { return std::distance(fs::directory_iterator(scratch.folder()), fs::directory_iterator()); };
@@ -89,16 +89,16 @@ TEST(Draft, ReplacesWhatWasThereOnlyWhenItIsPublished) {
     Draft draft(scratch.folder());
     draw(draft);
   }
-  EXPECT_EQ(test::read_file(files.movie("gif")), "old");
+  EXPECT_EQ(test::read_file(files.movie(render::MovieFormat::gif)), "old");
   EXPECT_EQ(left(), 3) << "no trace of it";
   {
     Draft draft(scratch.folder());
     draw(draft);
     draft.publish();
   }
-  EXPECT_EQ(test::read_file(files.movie("mp4")), "new");
+  EXPECT_EQ(test::read_file(files.movie(render::MovieFormat::mp4)), "new");
   EXPECT_EQ(test::read_file(files.frames() / "000000.png"), "new");
-  EXPECT_FALSE(fs::exists(files.movie("gif")));
+  EXPECT_FALSE(fs::exists(files.movie(render::MovieFormat::gif)));
   EXPECT_FALSE(fs::exists(files.frames() / "000007.png"));
   EXPECT_TRUE(fs::exists(files.frames() / "notes.txt"));
   EXPECT_TRUE(fs::exists(scratch / "KF1/run.json"));

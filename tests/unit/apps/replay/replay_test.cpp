@@ -9,6 +9,7 @@
 #include "apps/run/stored_run.hpp"
 #include "render/files/read_png.hpp"
 #include "render/files/read_vtu.hpp"
+#include "tests/facts.hpp"
 #include "tests/unit/apps/stored_tank.hpp"
 
 namespace fs = std::filesystem;
@@ -79,7 +80,7 @@ TEST(Replay, LooksOtherwiseIfAsked) {
   tank.close();
   ReplayRequest request = asked(tank, {"look.colour_map=turbo", "output.size=400x300"});
   request.frames.first = 2;
-  request.movie = "gif";
+  request.movie = render::MovieFormat::gif;
   ASSERT_EQ(replay(request), done);
   const fs::path folder = tank.folder().drawn_again();
   EXPECT_FALSE(fs::exists(folder / number(1)));
@@ -142,7 +143,7 @@ TEST(Replay, KeepsTheRunsOwnFilesAndAsksBeforeItReplacesOthers) {
   request.overwrite = true;
   for (const fs::path& own : {tank.folder().path, tank.folder().frames(), tank.folder().path / "vtu"}) {
     request.output = own;
-    EXPECT_EQ(refusal(request), own.string() + " holds the run itself; choose another folder with -o DIR");
+    EXPECT_TRUE(test::tells(refusal(request), {own.string(), "-o DIR"}));
   }
   EXPECT_EQ(replay(asked(tank)), done);
   EXPECT_EQ(refusal(asked(tank)), tank.folder().drawn_again().string() +

@@ -18,7 +18,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 }
 
 const Chart& chart_named(const std::vector<Chart>& charts, const std::string& sensor) {
-  return *std::find_if(charts.begin(), charts.end(), [&](const Chart& chart) { return chart.sensor == sensor; });
+  return *std::find_if(charts.begin(), charts.end(), [&](const Chart& chart) { return chart.column.name == sensor; });
 }
 
 TEST(ReportCharts, AreThoseUnderThePictures) {
@@ -36,7 +36,7 @@ TEST(ReportCharts, AreTheUsualOnesWhereThePicturesHaveNone) {
   run.run.scene.look.curves = "eta_right";
   const auto charts = charts_of({"tank", {run}, {}, {}});
   ASSERT_EQ(charts.size(), 1u);
-  EXPECT_EQ(charts[0].sensor, "eta_right");
+  EXPECT_EQ(charts[0].column.name, "eta_right");
 }
 
 TEST(ReportCharts, ShowWhatAllRunsHaveOnce) {

@@ -73,9 +73,8 @@ TEST(ReportMeasures, CrestsOfARunAloneIgnoreSmallWaves) {
 TEST(ReportMeasures, DriftComparesTheLastTenthWithTheFirst) {
   ReportRun run = test::report_run("a", 1);
   const std::size_t width = run.run.info.sensors.size(), rows = run.readings.time.size();
-  const auto column = std::find(run.run.info.sensors.begin(), run.run.info.sensors.end(), "volume [m^2]");
-  for (std::size_t row = rows / 2; row < rows; ++row)
-    run.readings.values[row * width + (column - run.run.info.sensors.begin())] *= 1.02;
+  const std::size_t column = find_column(run.run.info.sensors, "volume");
+  for (std::size_t row = rows / 2; row < rows; ++row) run.readings.values[row * width + column] *= 1.02;
   const Measures measures = measures_of(run, measured_sensors(run.run), {});
   ASSERT_TRUE(measures.drift);
   EXPECT_NEAR(*measures.drift, 0.02, 1e-9);

@@ -25,7 +25,7 @@ inline apps::ReportRun report_run(const std::string& label, double end, const Si
   scene.parameters.motion.type = MotionType::harmonic;
   scene.parameters.motion.harmonic.of = DegreeOfFreedom::surge;
   scene.parameters.motion.harmonic.frequency = 1;
-  scene.parameters.motion.amplitude = 0.005;
+  scene.parameters.motion.harmonic.amplitude = 0.005;
   scene.parameters.time.end = end;
   one.run.info = apps::run_info(scene);
   one.run.record.ending = apps::Ending{apps::Ending::Status::finished, {}, "", 2, end};
@@ -35,11 +35,11 @@ inline apps::ReportRun report_run(const std::string& label, double end, const Si
     const double t = 0.001 * static_cast<double>(k);
     one.readings.time.push_back(t);
     for (std::size_t i = 0; i < columns; ++i) {
-      const std::string& name = one.run.info.sensors[i];
+      const Column& column = one.run.info.sensors[i];
       double value = 0.12;
-      if (name.starts_with("eta_")) value = signals.elevation(t);
-      if (name.starts_with("p_")) value = 1962 + signals.pressure(t);
-      if (name.starts_with("surge")) value = 0.005 * std::sin(2 * std::numbers::pi * t);
+      if (column.kind == ColumnKind::elevation) value = signals.elevation(t);
+      if (column.kind == ColumnKind::pressure) value = 1962 + signals.pressure(t);
+      if (is_motion(column)) value = 0.005 * std::sin(2 * std::numbers::pi * t);
       one.readings.values.push_back(value);
     }
   }

@@ -22,7 +22,7 @@ TEST(ProbesCsv, HasUnitsInItsHeaderAndARowForEachReading) {
   const Scratch folder;
   const auto csv = probes_csv(folder / "probes.csv");
   RunInfo run;
-  run.sensors = {"p_left_bottom [Pa]", "eta_left [m]", "eta_right [m]"};
+  run.sensors = {{"p_left_bottom", "Pa", ""}, {"eta_left", "m", ""}, {"eta_right", "m", ""}};
   csv->begin(run);
   csv->frame(frame_with({}));
   csv->frame(frame_with({{0, 0.001}, {1962, 0, -1e-9, 1234.56789, 0.0123456789, -0.5}}));

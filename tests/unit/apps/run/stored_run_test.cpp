@@ -10,9 +10,11 @@
 #include "apps/run/run_info.hpp"
 #include "apps/scene/scene_file.hpp"
 #include "apps/scene/scene_text.hpp"
+#include "tests/facts.hpp"
 #include "tests/unit/apps/errors_of.hpp"
 #include "tests/unit/apps/files.hpp"
 #include "tests/unit/apps/refusal.hpp"
+#include "tests/unit/headers.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -99,7 +101,7 @@ TEST_F(StoredRunTest, KnowsHowTheRunEnded) {
 
 TEST_F(StoredRunTest, ReadsProbesUpToTheLastWholeLine) {
   const std::size_t columns = stored().info.sensors.size();
-  std::string text = fmt::format("t [s],{}", fmt::join(stored().info.sensors, ","));
+  std::string text = fmt::format("t [s],{}", fmt::join(test::headers(stored().info.sensors), ","));
   for (const char* time : {"0.000000", "0.001000", "0.00"}) {
     text += fmt::format("\n{}", time);
     for (std::size_t k = 0; k < columns; ++k) text += fmt::format(",{}", k);
@@ -138,9 +140,9 @@ std::string refusal_of(const std::filesystem::path& folder) {
 
 TEST_F(StoredRunTest, RefusesWhatIsNoRun) {
   const auto out = scratch / "other";
-  EXPECT_EQ(refusal_of(out), out.string() + " isn't there; expected the folder of a run, as `seiche run` leaves it");
+  EXPECT_TRUE(test::tells(refusal_of(out), {out.string(), "`seiche run`"}));
   std::filesystem::create_directories(out);
-  EXPECT_EQ(refusal_of(out), out.string() + " is empty; expected the folder of a run, as `seiche run` leaves it");
+  EXPECT_TRUE(test::tells(refusal_of(out), {out.string(), "empty", "`seiche run`"}));
   write_text(out / "x", "");
   EXPECT_EQ(refusal_of(out),
             out.string() + " has no run.json; expected the folder of a run, as `seiche run` leaves it");
@@ -159,7 +161,7 @@ TEST_F(StoredRunTest, RefusesAnotherSchemaVersionAndSaysWhatToDo) {
                                  "version 1; " +
                                  remedy);
   write_text(out / "run.json", R"({"seiche": "9", "schema": 12, "scene": {"file": "b/x.toml"}})");
-  EXPECT_EQ(refusal_of(out), file + " can't be used: its schema version is 12; expected 1; " + remedy);
+  EXPECT_TRUE(test::tells(refusal_of(out), {file, "12", "1", remedy}));
 }
 
 }  // namespace

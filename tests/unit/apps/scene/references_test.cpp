@@ -7,6 +7,7 @@
 
 #include "apps/scene/scene_file.hpp"
 #include "apps/scene/scene_text.hpp"
+#include "tests/facts.hpp"
 #include "tests/unit/apps/errors_of.hpp"
 #include "tests/unit/apps/files.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 std::string error_of(const std::string& text) {
   try {
-    reference_series(Csv(text, "r.csv"), "eta_left", "[m]");
+    reference_series(Csv(text, "r.csv"), "eta_left", "m");
   } catch (const BadScene& error) {
     return error.what();
   }
@@ -24,14 +25,14 @@ std::string error_of(const std::string& text) {
 
 TEST(Reference, TakesItsColumnWithAndWithoutUnits) {
   for (const char* text : {"t,eta_left\n0,1\n0.5,-2e-1\n", "p [Pa],t [s],eta_left [m]\r\n9,0,1\r\n,0.5,-0.2\r\n\r\n"}) {
-    const render::Series series = reference_series(Csv(text, "r.csv"), "eta_left", "[m]");
+    const render::Series series = reference_series(Csv(text, "r.csv"), "eta_left", "m");
     EXPECT_EQ(series.time, (std::vector<double>{0, 0.5}));
     EXPECT_EQ(series.value, (std::vector<double>{1, -0.2}));
   }
 }
 
 TEST(Reference, EmptyCellsAreGaps) {
-  const auto series = reference_series(Csv("t,eta_left\n0,1\n1,\n2,3\n", "r.csv"), "eta_left", "[m]");
+  const auto series = reference_series(Csv("t,eta_left\n0,1\n1,\n2,3\n", "r.csv"), "eta_left", "m");
   ASSERT_EQ(series.value.size(), 3u);
   EXPECT_TRUE(std::isnan(series.value[1]));
   EXPECT_EQ(series.value[2], 3);
@@ -39,11 +40,11 @@ TEST(Reference, EmptyCellsAreGaps) {
 
 TEST(Reference, BeginsWhereItIsToldTo) {
   const Csv table("t,eta_left\n0,1\n0.5,2\n1,3\n", "r.csv");
-  const auto series = reference_series(table, "eta_left", "[m]", 0.5);
+  const auto series = reference_series(table, "eta_left", "m", 0.5);
   EXPECT_EQ(series.time, (std::vector<double>{0.5, 1}));
   EXPECT_EQ(series.value, (std::vector<double>{2, 3}));
   try {
-    reference_series(table, "eta_left", "[m]", 0.6);
+    reference_series(table, "eta_left", "m", 0.6);
     FAIL();
   } catch (const BadScene& error) {
     EXPECT_STREQ(error.what(), "r.csv:4: the file ends after 1 samples from 0.6 s on; expected 2 at least");
@@ -52,19 +53,15 @@ TEST(Reference, BeginsWhereItIsToldTo) {
 
 TEST(Reference, NamesTheLineOfAMistakeAndWhatWasExpected) {
   EXPECT_EQ(error_of(""), "r.csv:1: an empty file; expected a header of column titles");
-  EXPECT_EQ(error_of("time,eta_left\n0,1\n"), "r.csv:1: there is no column of times; expected t or t [s]");
-  EXPECT_EQ(error_of("t [ms],eta_left\n0,1\n"), "r.csv:1: there is no column of times; expected t or t [s]");
-  EXPECT_EQ(error_of("t,eta_lft,p\n0,1,2\n"),
-            "r.csv:1: there is no column 'eta_left'; expected one of t, eta_lft, p; did you mean 'eta_lft'?");
-  EXPECT_EQ(error_of("t,eta_left [mm]\n0,1\n"),
-            "r.csv:1: 'eta_left [mm]' is in another unit than its sensor; expected [m]");
-  EXPECT_EQ(error_of("t,eta_left\n0,1\n"), "r.csv:2: the file ends after 1 samples; expected 2 at least");
-  EXPECT_EQ(error_of("t,eta_left\n0,1\n0.1,2,3\n"),
-            "r.csv:3: 3 cells; expected 2, one below each column of the header");
-  EXPECT_EQ(error_of("t,eta_left\n0,1\n0.1,2 m\n"), "r.csv:3: eta_left = '2 m'; expected a number, as in -1.5e-3");
+  EXPECT_TRUE(test::tells(error_of("time,eta_left\n0,1\n"), {"r.csv:1", "[s]"}));
+  EXPECT_TRUE(test::tells(error_of("t [ms],eta_left\n0,1\n"), {"r.csv:1", "[s]"}));
+  EXPECT_TRUE(test::tells(error_of("t,eta_lft,p\n0,1,2\n"), {"r.csv:1", "'eta_left'", "eta_lft", "'eta_lft'?"}));
+  EXPECT_TRUE(test::tells(error_of("t,eta_left [mm]\n0,1\n"), {"r.csv:1", "'eta_left", "[mm]'", "[m]"}));
+  EXPECT_TRUE(test::tells(error_of("t,eta_left\n0,1\n"), {"r.csv:2", "1", "2"}));
+  EXPECT_TRUE(test::tells(error_of("t,eta_left\n0,1\n0.1,2,3\n"), {"r.csv:3", "3", "2"}));
+  EXPECT_TRUE(test::tells(error_of("t,eta_left\n0,1\n0.1,2 m\n"), {"r.csv:3", "eta_left", "'2", "m'", "-1.5e-3"}));
   EXPECT_EQ(error_of("t,eta_left\n0,1\n,2\n"), "r.csv:3: t is missing; expected a number in each cell");
-  EXPECT_EQ(error_of("t,eta_left\n1,1\n0.5,2\n"),
-            "r.csv:3: t = 0.5 s; expected no time before the 1 s of the line above");
+  EXPECT_TRUE(test::tells(error_of("t,eta_left\n1,1\n0.5,2\n"), {"r.csv:3", "0.5", "1"}));
 }
 
 struct SceneWithReference : ::testing::Test {
@@ -88,10 +85,10 @@ struct SceneWithReference : ::testing::Test {
 };
 
 TEST_F(SceneWithReference, ReadsItBesideTheSceneAndNamesItAfterTheFile) {
-  const Scene scene = read("t,eta_left\n0,1\n1,2\n");
-  ASSERT_EQ(scene.look.references.size(), 1u);
-  EXPECT_EQ(scene.look.references[0].label, "theory");
-  EXPECT_EQ(scene.look.references[0].series.value, (std::vector<double>{1, 2}));
+  const Scene first = read("t,eta_left\n0,1\n1,2\n");
+  ASSERT_EQ(first.look.references.size(), 1u);
+  EXPECT_EQ(first.look.references[0].label, "theory");
+  EXPECT_EQ(first.look.references[0].series.value, (std::vector<double>{1, 2}));
   const Scene other = read("t,z\n0,5\n1,2\n", "column = \"z\"\nlabel = \"Theory of 1920\"\n");
   EXPECT_EQ(other.look.references[0].label, "Theory of 1920");
   EXPECT_EQ(other.look.references[0].series.value, (std::vector<double>{5, 2}));

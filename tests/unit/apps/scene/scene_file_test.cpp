@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "apps/scene/options.hpp"
+#include "render/picture.hpp"
+#include "tests/facts.hpp"
 #include "tests/unit/apps/errors_of.hpp"
 #include "tests/unit/apps/files.hpp"
 
@@ -52,71 +54,62 @@ TEST(SceneFile, TheLastOverrideWins) {
 }
 
 TEST(SceneFile, AnUnknownKeyNamesItsPlaceAndTheNearestOne) {
-  EXPECT_EQ(errors_of("\n[motion]\n  amplitde = 0.01\n"),
-            "x.toml:3:3: unknown key [motion] amplitde; did you mean 'amplitude'?");
-  EXPECT_EQ(errors_of("gravty = 1\n"), "x.toml:1:1: unknown key gravty; did you mean 'gravity'?");
+  EXPECT_TRUE(test::tells(errors_of("\n[motion]\n  amplitde = 0.01\n"),
+                          {"x.toml:3:3", "[motion]", "amplitde", "'amplitude'?"}));
+  EXPECT_TRUE(test::tells(errors_of("gravty = 1\n"), {"x.toml:1:1", "'gravity'?"}));
 }
 
 TEST(SceneFile, AKeyInTheWrongSectionIsSentToItsOwn) {
-  EXPECT_EQ(errors_of("depth = 0.1\n"), "x.toml:1:1: unknown key depth; it belongs under [fluid]");
-  EXPECT_EQ(errors_of("[tank]\ngravity = 1\n"),
-            "x.toml:2:1: unknown key [tank] gravity; 'gravity' stands above the first [section]");
+  EXPECT_TRUE(test::tells(errors_of("depth = 0.1\n"), {"x.toml:1:1", "[fluid]"}));
+  EXPECT_TRUE(
+      test::tells(errors_of("[tank]\ngravity = 1\n"), {"x.toml:2:1", "[tank]", "gravity", "'gravity'", "[section]"}));
 }
 
 TEST(SceneFile, AKeyLikeNoOtherGetsTheWholeList) {
-  EXPECT_EQ(errors_of("[motion]\nxyz = 1\n"),
-            "x.toml:2:1: unknown key [motion] xyz; expected one of type, amplitude, frequency, phase, ramp, "
-            "file, pivot_x, pivot_y, start, "
-            "harmonic");
+  EXPECT_TRUE(test::tells(errors_of("[motion]\nxyz = 1\n"), {"x.toml:2:1", "[motion]", "xyz", "pivot_x", "pivot_y"}));
 }
 
 TEST(SceneFile, AnUnknownSectionNamesTheNearestOne) {
-  EXPECT_EQ(errors_of("[moton]\n"), "x.toml:1:2: [moton] is no section of a scene; did you mean [motion]?");
+  EXPECT_TRUE(test::tells(errors_of("[moton]\n"), {"x.toml:1:2", "[moton]", "[motion]?"}));
 }
 
 TEST(SceneFile, ASectionIsNoKey) {
-  EXPECT_EQ(errors_of("tank = 3\n"),
-            "x.toml:1:1: 'tank' is a section: write [tank] on a line of its own, above its keys");
+  EXPECT_TRUE(test::tells(errors_of("tank = 3\n"), {"x.toml:1:1", "'tank'", "[tank]"}));
 }
 
 TEST(SceneFile, AWrongTypeSaysWhatIsExpected) {
-  EXPECT_EQ(errors_of("[fluid]\ndepth = \"deep\"\n"),
-            "x.toml:2:9: [fluid] depth = 'deep' is no number; expected a number above 0, up to 1000 [m]");
-  EXPECT_EQ(errors_of("[tank]\nclosed = 1\n"), "x.toml:2:10: [tank] closed = 1 is neither; expected true or false");
-  EXPECT_EQ(
-      errors_of("[pressure]\nmax_iterations = 1.5\n"),
-      "x.toml:2:18: [pressure] max_iterations = 1.5 is no whole number; expected a whole number from 1 to 1000000");
-  EXPECT_EQ(errors_of("[fluid]\ndepth = [1, 2]\n"),
-            "x.toml:2:1: [fluid] depth takes one value; expected a number above 0, up to 1000 [m]");
+  EXPECT_TRUE(test::tells(errors_of("[fluid]\ndepth = \"deep\"\n"),
+                          {"x.toml:2:9", "[fluid]", "depth", "'deep'", "0", "1000", "[m]"}));
+  EXPECT_TRUE(test::tells(errors_of("[tank]\nclosed = 1\n"), {"x.toml:2:10", "[tank]", "closed", "1"}));
+  EXPECT_TRUE(test::tells(errors_of("[pressure]\nmax_iterations = 1.5\n"),
+                          {"x.toml:2:18", "[pressure]", "max_iterations", "1.5", "1", "1000000"}));
+  EXPECT_TRUE(
+      test::tells(errors_of("[fluid]\ndepth = [1, 2]\n"), {"x.toml:2:1", "[fluid]", "depth", "0", "1000", "[m]"}));
 }
 
 TEST(SceneFile, AValueOutOfRangeOrNotFiniteIsRefused) {
-  EXPECT_EQ(errors_of("[motion]\nfrequency = -1\n"),
-            "x.toml:2:13: [motion] frequency = -1 is out of range; expected a number from 0 to 100 [Hz]");
-  EXPECT_EQ(errors_of("gravity = nan\n"),
-            "x.toml:1:11: gravity = nan is not finite; expected a number above 0, up to 100 [m/s^2]");
-  EXPECT_EQ(errors_of("gravity = inf\n"),
-            "x.toml:1:11: gravity = inf is not finite; expected a number above 0, up to 100 [m/s^2]");
+  EXPECT_TRUE(test::tells(errors_of("[motion]\nfrequency = -1\n"),
+                          {"x.toml:2:13", "[motion]", "frequency", "-1", "0", "100", "[Hz]"}));
+  EXPECT_TRUE(test::tells(errors_of("gravity = nan\n"), {"x.toml:1:11", "0", "100", "[m/s^2]"}));
+  EXPECT_TRUE(test::tells(errors_of("gravity = inf\n"), {"x.toml:1:11", "0", "100", "[m/s^2]"}));
 }
 
 TEST(SceneFile, AWrongChoiceListsTheRightOnes) {
-  EXPECT_EQ(errors_of("[pressure]\nsolver = \"icg\"\n"),
-            "x.toml:2:10: [pressure] solver = 'icg' is none of its choices; expected one of amg, iccg, sor, cholmod; "
-            "did you mean 'iccg'?");
+  EXPECT_TRUE(test::tells(errors_of("[pressure]\nsolver = \"icg\"\n"),
+                          {"x.toml:2:10", "[pressure]", "solver", "'icg'", "'iccg'?"}));
 }
 
 TEST(SceneFile, BadTomlNamesItsPlace) { EXPECT_EQ(errors_of("[fluid]\ndepth = = 1\n").substr(0, 12), "x.toml:2:9: "); }
 
 TEST(SceneFile, EveryMistakeIsToldInTheOrderOfTheFileThenOfTheFlags) {
-  EXPECT_EQ(errors_of("gravty = 1\n[fluid]\ndepth = -1\ndensty = 1\n", {parse_set("tank.lenght=1")}),
-            "x.toml:1:1: unknown key gravty; did you mean 'gravity'?\n"
-            "x.toml:3:9: [fluid] depth = -1 is out of range; expected a number above 0, up to 1000 [m]\n"
-            "x.toml:4:1: unknown key [fluid] densty; did you mean 'density'?\n"
-            "--set tank.lenght=1: unknown key 'tank.lenght'; did you mean 'tank.length'?");
+  EXPECT_TRUE(
+      test::tells(errors_of("gravty = 1\n[fluid]\ndepth = -1\ndensty = 1\n", {parse_set("tank.lenght=1")}),
+                  {"x.toml:1:1", "'gravity'?", "x.toml:3:9", "[fluid]", "depth", "-1", "0", "1000", "[m]", "x.toml:4:1",
+                   "[fluid]", "densty", "'density'?", "--set", "tank.lenght=1", "'tank.lenght'", "'tank.length'?"}));
 }
 
 TEST(SceneFile, KeysThatDontFitTogetherAreRefused) {
-  EXPECT_EQ(errors_of("[fluid]\ndepth = 0.5\n"), "x.toml: fluid.depth = 0.5 m is more than tank.height = 0.4 m");
+  EXPECT_TRUE(test::tells(errors_of("[fluid]\ndepth = 0.5\n"), {"x.toml", "fluid.depth", "0.5", "tank.height", "0.4"}));
 }
 
 TEST(SceneFile, AStepOfItsOwnMustFallOnFramesAndOnTheEnd) {
@@ -125,12 +118,11 @@ TEST(SceneFile, AStepOfItsOwnMustFallOnFramesAndOnTheEnd) {
   };
   EXPECT_EQ(errors("5e-4", "10"), "no error");
   EXPECT_EQ(errors("0", "10.00031"), "no error");
-  EXPECT_EQ(errors("0.0003", "3"),
-            "x.toml: 1/output.frame_rate = 0.02 s is 66.667 steps of time.step = 0.0003 s; it must be a whole number "
-            "of them");
-  EXPECT_EQ(errors("0.0005", "3.0003"),
-            "x.toml: time.end = 3.0003 s is 6000.600 steps of time.step = 0.0005 s; it must be a whole number of them");
-  EXPECT_EQ(errors("-1", "1"), "x.toml:2:8: [time] step = -1 is out of range; expected a number from 0 to 1 [s]");
+  EXPECT_TRUE(
+      test::tells(errors("0.0003", "3"), {"x.toml", "1/output.frame_rate", "0.02", "66.667", "time.step", "0.0003"}));
+  EXPECT_TRUE(
+      test::tells(errors("0.0005", "3.0003"), {"x.toml", "time.end", "3.0003", "6000.600", "time.step", "0.0005"}));
+  EXPECT_TRUE(test::tells(errors("-1", "1"), {"x.toml:2:8", "[time]", "step", "-1", "0", "1", "[s]"}));
 }
 
 TEST(SceneFile, AMissingFileIsNamed) { EXPECT_THROW(read_scene("no/such/file.toml", {}), BadScene); }
@@ -143,14 +135,13 @@ TEST(SceneFile, AnEmptyFileIsReadAndAFolderIsNot) {
 }
 
 TEST(Overrides, NameTheFlagAtFault) {
-  EXPECT_EQ(errors_of("", {parse_set("amplitde=3")}),
-            "--set amplitde=3: unknown key 'amplitde'; did you mean 'motion.amplitude'?");
-  EXPECT_EQ(errors_of("", {parse_set("depth=3")}),
-            "--set depth=3: unknown key 'depth'; did you mean 'fluid.depth'?");
-  EXPECT_EQ(errors_of("", {{"--spacing big", "particles.spacing", "big"}}),
-            "--spacing big: [particles] spacing = 'big' is no number; expected a number above 0, up to 10 [m]");
-  EXPECT_EQ(errors_of("", {parse_set("time.end=inf")}),
-            "--set time.end=inf: [time] end = inf is not finite; expected a number above 0, up to 100000 [s]");
+  EXPECT_TRUE(test::tells(errors_of("", {parse_set("amplitde=3")}),
+                          {"--set", "amplitde=3", "'amplitde'", "'motion.amplitude'?"}));
+  EXPECT_TRUE(test::tells(errors_of("", {parse_set("depth=3")}), {"--set", "depth=3", "'depth'", "'fluid.depth'?"}));
+  EXPECT_TRUE(test::tells(errors_of("", {{"--spacing big", "particles.spacing", "big"}}),
+                          {"--spacing", "[particles]", "spacing", "'big'", "0", "10", "[m]"}));
+  EXPECT_TRUE(test::tells(errors_of("", {parse_set("time.end=inf")}),
+                          {"--set", "time.end=inf", "[time]", "end", "0", "100000", "[s]"}));
 }
 
 TEST(Overrides, TextNeedsNoQuotes) {
@@ -158,8 +149,8 @@ TEST(Overrides, TextNeedsNoQuotes) {
                                   {parse_set("method.kernel=KF1"), parse_set("look.range=-100,3000"),
                                    parse_set("output.vtu=false"), parse_set("pressure.tolerance=1e-6")});
   EXPECT_EQ(scene.parameters.method.kernel, "KF1");
-  EXPECT_EQ(scene.look.range, "-100,3000");
-  EXPECT_FALSE(scene.output.vtu);
+  EXPECT_EQ(render::text_of(scene.look.range), "-100,3000");
+  EXPECT_FALSE(scene.writes(OutputKind::vtu));
   EXPECT_EQ(scene.parameters.pressure.tolerance, 1e-6);
 }
 

@@ -31,7 +31,7 @@ TEST(ChartAxis, DecadesGoFromAOneTwoOrFiveToAnother) {
   EXPECT_EQ(labels(axis), (std::vector<std::string>{"0.2", "0.5", "1", "2", "5", "10"}));
   EXPECT_NEAR(axis.range.low, std::log10(0.2), 1e-12);
   EXPECT_NEAR(axis.range.high, 1, 1e-12);
-  for (const Tick& tick : axis.ticks) EXPECT_NEAR(std::pow(10, tick.place), std::stod(tick.label), 1e-9);
+  for (const Tick& tick : axis.ticks) EXPECT_NEAR(std::pow(10, tick.position), std::stod(tick.label), 1e-9);
   EXPECT_EQ(axis_over({1000, 50000}, Scale::decades).ticks.front().label, "1000");
   EXPECT_EQ(axis_over({1000, 50000}, Scale::decades).ticks.back().label, "50000");
 }

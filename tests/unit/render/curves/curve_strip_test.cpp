@@ -20,7 +20,7 @@ Look one_curve() {
   look.width = 640;
   look.height = 360;
   look.curves = "eta_left";
-  look.colour_map = "turbo";  // has nothing of the curve's blue in the rows below the tank
+  look.colour_map = ColourMapName::turbo;  // has nothing of the curve's blue in the rows below the tank
   return look;
 }
 
@@ -31,7 +31,7 @@ struct Spot {
 
 // Where the curve's colour is found below the tank; y from the top.
 Spot spot(const Image& image) {
-  const Rgb colour = palette("white").curve;
+  const Rgb colour = palette(Background::white).curve;
   Spot found;
   for (int y = image.height * 3 / 4; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {

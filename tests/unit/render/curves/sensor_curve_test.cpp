@@ -54,8 +54,9 @@ TEST(AxisRange, BeginsWithAQuarterOfWhatTheStillLiquidHas) {
 
 TEST(AxisRange, OfAVolumeShowsItsDrift) {
   RunInfo run = test::run_with_sensors({});
-  run.tank = tank_surface(Parameters{});
-  run.sensors = {"volume [m^2]", "force_y [N/m]", "potential_energy [J/m]"};
+  run.sensors = {{"volume", "m^2", "volume", ColumnKind::volume, Rest::first_value, 0.0012},
+                 {"force_y", "N/m", "force y", ColumnKind::force, Rest::first_value, 117.72},
+                 {"potential_energy", "J/m", "potential energy", ColumnKind::energy, Rest::zero, 2.3544}};
   Look look;
   look.curves = "volume, force_y, potential_energy";
   auto curves = sensor_curves(run, look);

@@ -33,6 +33,7 @@ Frame sample(long index, std::size_t particles) {
     frame.free_surface.push_back(i % 2 == 0);
     frame.id.push_back(static_cast<std::uint32_t>(i));
   }
+  frame.derived.push_back({Quantity::vorticity, std::vector<float>(particles, static_cast<float>(index))});
   frame.readings = {{0.01, 0.02}, {1.5, 2.5, 3.5, 4.5}};
   return frame;
 }

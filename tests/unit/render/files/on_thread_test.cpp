@@ -91,7 +91,7 @@ TEST(OnThread, TakesThePictureAlongSoThatItsMemoryIsFree) {
   EXPECT_EQ(log.first_bytes, (std::vector<std::uint8_t>{7}));
 }
 
-TEST(OnThread, AFailureIsToldOnceAndEndsTheTakerAllTheSame) {
+TEST(OnThread, AFailureIsToldOnceAndEndsTheSinkAllTheSame) {
   Log log;
   log.on_image = [](long index) {
     if (index == 2) throw std::runtime_error("the disk is full");

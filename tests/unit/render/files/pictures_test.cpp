@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "render/outputs.hpp"
+#include "render/picture/range.hpp"
 #include "render/view/painter.hpp"
 #include "tests/unit/render/synthetic.hpp"
 
@@ -47,9 +48,9 @@ Look small() {
 
 Kept draw(const Look& look, const std::vector<FramePtr>& frames, const test::Box& tank = box) {
   Kept kept;
-  std::vector<std::unique_ptr<ImageSink>> takers;
-  takers.push_back(std::make_unique<Keeper>(kept));
-  const auto sink = pictures(look, std::move(takers), std::filesystem::temp_directory_path());
+  std::vector<std::unique_ptr<ImageSink>> image_sinks;
+  image_sinks.push_back(std::make_unique<Keeper>(kept));
+  const auto sink = pictures(look, std::move(image_sinks), std::filesystem::temp_directory_path());
   sink->begin(test::run_info(tank));
   for (const auto& frame : frames) sink->frame(frame);
   sink->end();
@@ -97,12 +98,12 @@ TEST(GlDeathTest, TooOldNamesThePackage) {
   EXPECT_EXIT(ask(), testing::ExitedWithCode(4), "libosmesa6");
 }
 
-TEST(Pictures, EveryTakerGetsEachFrameOnceAndTheSame) {
+TEST(Pictures, EverySinkGetsEachFrameOnceAndTheSame) {
   Kept first, second;
-  std::vector<std::unique_ptr<ImageSink>> takers;
-  takers.push_back(std::make_unique<Keeper>(first));
-  takers.push_back(std::make_unique<Keeper>(second));
-  const auto sink = pictures(small(), std::move(takers), std::filesystem::temp_directory_path());
+  std::vector<std::unique_ptr<ImageSink>> image_sinks;
+  image_sinks.push_back(std::make_unique<Keeper>(first));
+  image_sinks.push_back(std::make_unique<Keeper>(second));
+  const auto sink = pictures(small(), std::move(image_sinks), std::filesystem::temp_directory_path());
   sink->begin(test::run_info(box));
   for (long index = 0; index < 3; ++index) sink->frame(test::lattice(box, 0.1, index));
   sink->end();
@@ -114,17 +115,17 @@ TEST(Pictures, EveryTakerGetsEachFrameOnceAndTheSame) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(first.images[i].rgba, second.images[i].rgba);
 }
 
-TEST(Pictures, ATakerThatFailsAtTheEndKeepsNoOtherFromEnding) {
+TEST(Pictures, ASinkThatFailsAtTheEndKeepsNoOtherFromEnding) {
   struct Failing : ImageSink {
     void begin(const RunInfo&, int, int) override {}
     void image(const Image&, const Frame&) override {}
     void end() override { throw std::runtime_error("the disk is full"); }
   };
   Kept kept;
-  std::vector<std::unique_ptr<ImageSink>> takers;
-  takers.push_back(std::make_unique<Failing>());
-  takers.push_back(std::make_unique<Keeper>(kept));
-  const auto sink = pictures(small(), std::move(takers), std::filesystem::temp_directory_path());
+  std::vector<std::unique_ptr<ImageSink>> image_sinks;
+  image_sinks.push_back(std::make_unique<Failing>());
+  image_sinks.push_back(std::make_unique<Keeper>(kept));
+  const auto sink = pictures(small(), std::move(image_sinks), std::filesystem::temp_directory_path());
   sink->begin(test::run_info(box));
   EXPECT_THROW(sink->end(), std::runtime_error);
   EXPECT_EQ(kept.ended, 1);
@@ -132,7 +133,7 @@ TEST(Pictures, ATakerThatFailsAtTheEndKeepsNoOtherFromEnding) {
 
 TEST(Pictures, HaveTheSizeAndTheBackground) {
   Look look = small();
-  const auto corner = [&](const char* background) {
+  const auto corner = [&](Background background) {
     look.background = background;
     const Image image = draw(look, {test::lattice(box, 0)}).images.at(0);
     EXPECT_EQ(image.width, 480);
@@ -140,9 +141,9 @@ TEST(Pictures, HaveTheSizeAndTheBackground) {
     EXPECT_EQ(image.rgba.size(), 480u * 270u * 4u);
     return std::vector<int>(image.rgba.begin(), image.rgba.begin() + 4);
   };
-  EXPECT_EQ(corner("white"), (std::vector<int>{255, 255, 255, 255}));
-  EXPECT_EQ(corner("black"), (std::vector<int>{0, 0, 0, 255}));
-  EXPECT_EQ(corner("transparent")[3], 0);
+  EXPECT_EQ(corner(Background::white), (std::vector<int>{255, 255, 255, 255}));
+  EXPECT_EQ(corner(Background::black), (std::vector<int>{0, 0, 0, 255}));
+  EXPECT_EQ(corner(Background::transparent)[3], 0);
 }
 
 TEST(Pictures, SameFrameSameBytes) {
@@ -170,11 +171,11 @@ TEST(Pictures, FixedRangesDrawHalfThePressureInAnotherColourAndTheFramesOwnDoesN
   look.show_bar = look.show_clock = look.show_surface = false;
   const std::vector<FramePtr> frames{scaled(1, 0), scaled(0.5f, 1)};
   for (const char* range : {"scene", "0,1000"}) {
-    look.range = range;
+    look.range = parse_range(range);
     const auto drawn = draw(look, frames).images;
     EXPECT_NE(drawn.at(0).rgba, drawn.at(1).rgba) << range;
   }
-  look.range = "frame";
+  look.range = parse_range("frame");
   const std::vector<FramePtr> powers{scaled(1, 0), scaled(0.1f, 1)};  // whose round ranges are alike as well
   const auto drawn = draw(look, powers).images;
   std::size_t apart = 0;
@@ -185,22 +186,22 @@ TEST(Pictures, FixedRangesDrawHalfThePressureInAnotherColourAndTheFramesOwnDoesN
 TEST(Pictures, RunRangeIsDrawnAtTheEndWithOneRangeForAll) {
   Look look = small();
   look.show_clock = false;
-  look.range = "run";
+  look.range = parse_range("run");
   const auto frames = {scaled(0.1f, 0), scaled(1, 1)};
   const Kept run = draw(look, frames);
   ASSERT_EQ(run.images.size(), 2u);
   EXPECT_EQ(run.indices, (std::vector<long>{0, 1}));
-  look.range = "0,500";  // from 5 to 441 Pa, rounded
+  look.range = parse_range("0,500");  // from 5 to 441 Pa, rounded
   const Kept fixed = draw(look, frames);
   EXPECT_EQ(run.images[0].rgba, fixed.images[0].rgba);
   EXPECT_EQ(run.images[1].rgba, fixed.images[1].rgba);
-  look.range = "frame";
+  look.range = parse_range("frame");
   EXPECT_NE(draw(look, frames).images[0].rgba, run.images[0].rgba) << "its own range differs where pressures are small";
 }
 
 TEST(Pictures, SmoothLiquidLeavesNoSprayOut) {
   Look look = small();
-  look.style = "smooth";
+  look.style = Style::smooth;
   const auto still = test::lattice(box, 0);
   auto sprayed = std::make_shared<Frame>(*still);
   const auto fluid = std::find(still->kind.begin(), still->kind.end(), Kind::fluid) - still->kind.begin();
@@ -213,7 +214,7 @@ TEST(Pictures, SmoothLiquidLeavesNoSprayOut) {
 
 TEST(Pictures, TwoSeriesMayBeDrawnInTurns) {
   Look black = small();
-  black.background = "black";
+  black.background = Background::black;
   black.width = 640;
   const auto run = test::run_info(box);
   Painter first(run, small()), second(run, black);
@@ -244,7 +245,7 @@ TEST(Pictures, TankMovesInTheLabAndStandsInItsOwnFrame) {
   const std::vector<FramePtr> frames{test::lattice(box, 0.1), moved};
   auto drawn = draw(look, frames).images;
   EXPECT_EQ(drawn.at(0).rgba, drawn.at(1).rgba);
-  look.view = "lab";
+  look.view = ReferenceFrame::lab;
   drawn = draw(look, frames).images;
   EXPECT_NE(drawn.at(0).rgba, drawn.at(1).rgba);
   const std::array<int, 4> wall{128, 132, 138, 255};
@@ -263,7 +264,7 @@ TEST(Pictures, TankRollsInTheLabAboutItsPivot) {
   const std::vector<FramePtr> frames{test::lattice(box, 0), rolled, raised};
   auto drawn = draw(look, frames).images;
   EXPECT_EQ(drawn.at(0).rgba, drawn.at(1).rgba) << "nothing turns in the tank's own frame";
-  look.view = "lab";
+  look.view = ReferenceFrame::lab;
   drawn = draw(look, frames).images;
   // Upside down about its middle the closed tank covers what it covered, and the liquid is at the top.
   const std::array<int, 4> wall{128, 132, 138, 255};
@@ -288,7 +289,7 @@ TEST(Pictures, TakeFramesWithNanAndWithoutParticles) {
   broken->position[11] = {std::numeric_limits<float>::quiet_NaN(), 0, 0};
   for (const char* range : {"scene", "frame", "run"}) {
     Look look = small();
-    look.range = range;
+    look.range = parse_range(range);
     EXPECT_EQ(draw(look, {std::make_shared<Frame>(), broken}).images.size(), 2u) << range;
   }
 }

@@ -52,6 +52,9 @@ TEST(ReadVtu, GivesTheFrameThatWasWrittenBitByBit) {
   frame.id[5] = 4'000'000'000;
   write(scratch / "a.vtu", frame);
   test::expect_same_frame(read_vtu(scratch / "a.vtu", 7), frame);
+  frame.derived.push_back({Quantity::vorticity, std::vector<float>(frame.size(), -0.3f)});
+  write(scratch / "a.vtu", frame);
+  test::expect_same_frame(read_vtu(scratch / "a.vtu", 7), frame);
 }
 
 TEST(ReadVtu, TakesAFrameWithoutParticles) {

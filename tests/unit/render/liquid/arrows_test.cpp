@@ -48,10 +48,10 @@ TEST(Arrows, ScaleIsTheScenesOrTheRangeOfTheSpeed) {
   const ArrowScale scene = arrow_scale(run, look);
   EXPECT_EQ(scene.greatest, scene_range(run, Quantity::speed).high);
   EXPECT_NEAR(scene.reference, 0.2, 1e-9);
-  look.range = "0,3000";
+  look.range = {RangeSource::given, {0, 3000}};
   EXPECT_EQ(arrow_scale(run, look).greatest, scene.greatest) << "a range of pressures";
-  look.quantity = "speed";
-  look.range = "0,0.1";
+  look.quantity = Quantity::speed;
+  look.range = {RangeSource::given, {0, 0.1}};
   EXPECT_NEAR(arrow_scale(run, look).length, 10 * scene.greatest * scene.length, 1e-9);
 }
 

@@ -54,7 +54,7 @@ TEST(ComparedCurves, AreOnePlotToASensorWithACurveOfEachRun) {
 
 TEST(ComparedCurves, FindTheirSensorWhereverItStandsAndAreAsLongAsTheLongestRun) {
   auto variants = test::variants(box, 2);
-  variants[1].run.sensors = {"eta_left [m]"};
+  variants[1].run.sensors = {variants[0].run.sensors[1]};
   variants[1].run.end = 20;
   const auto curves = compared_curves(variants, Look{});
   EXPECT_EQ(curves[0].traces[0].column, 1u);
@@ -148,6 +148,6 @@ TEST(Comparison, ARunThatFailedIsDimmedFromThenOn) {
 
 TEST(Comparison, AnotherTimeIsAnotherPictureOnTheSameAxes) {
   const Image early = test::draw_comparison(small(), box, 3, 2), late = test::draw_comparison(small(), box, 3, 8);
-  const Rgb blue = palette("white").runs[0];
+  const Rgb blue = palette(Background::white).runs[0];
   EXPECT_GT(pixels_of(late, blue), pixels_of(early, blue) + 100) << "a longer curve";
 }

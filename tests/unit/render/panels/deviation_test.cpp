@@ -23,9 +23,10 @@ TEST(Deviation, CountsCommonTimesOnly) {
 }
 
 TEST(Deviation, IsToldInTheSensorsUnit) {
-  EXPECT_EQ(deviation_text(0.00412, "elevation, left [m]", "VOF"), "4.1 mm RMS off VOF");
-  EXPECT_EQ(deviation_text(1234.6, "pressure, left bottom [Pa], mean of 0.1 s", "theory"), "1235 Pa RMS off theory");
-  EXPECT_EQ(deviation_text(0.5, "something", "theory"), "0.5 RMS off theory");
-  EXPECT_EQ(deviation_text(0.00412, "elevation, left [m]", ""), "4.1 mm RMS") << "where there is no room for more";
-  EXPECT_EQ(deviation_text(std::nan(""), "x [m]", "VOF"), "");
+  const seiche::Column elevation{"e", "m", "e", seiche::ColumnKind::elevation}, pressure{"p", "Pa", "p"};
+  EXPECT_EQ(deviation_text(0.00412, elevation, "VOF"), "4.1 mm RMS off VOF");
+  EXPECT_EQ(deviation_text(1234.6, pressure, "theory"), "1235 Pa RMS off theory");
+  EXPECT_EQ(deviation_text(0.5, {"v", "m^2", "v", seiche::ColumnKind::volume}, "theory"), "0.5 m\u00b2 RMS off theory");
+  EXPECT_EQ(deviation_text(0.00412, elevation, ""), "4.1 mm RMS") << "where there is no room for more";
+  EXPECT_EQ(deviation_text(std::nan(""), elevation, "VOF"), "");
 }

@@ -27,11 +27,11 @@ std::vector<PanelNeeds> panels(std::size_t count) { return std::vector<PanelNeed
 void expect_good(const GridLayout& grid, int width, int height) {
   const Layout& around = grid.around;
   std::vector<Box> boxes{around.caption, around.clock, around.ruler, around.key, around.bar};
-  for (const PanelPlace& panel : grid.panels) {
+  for (const PanelBoxes& panel : grid.panels) {
     boxes.insert(boxes.end(), {panel.view, panel.label});
     if (panel.note.width > 0) boxes.push_back(panel.note);
   }
-  for (const CurvePlace& place : around.curves)
+  for (const CurveBoxes& place : around.curves)
     boxes.insert(boxes.end(), {place.plot, place.title, place.key, place.values, place.times});
   seiche::test::expect_inside_and_apart(boxes, width, height, 1e-9);
 }
@@ -55,7 +55,7 @@ TEST(GridLayout, NothingIsClippedAndNothingOverlaps) {
 
 TEST(GridLayout, PanelsAreOfOneSizeAndWholePixels) {
   const GridLayout grid = lay_out_grid(needs(1920, 1080, 0.66, 0.46), panels(7));
-  for (const PanelPlace& panel : grid.panels) {
+  for (const PanelBoxes& panel : grid.panels) {
     EXPECT_EQ(panel.view.width, grid.panels[0].view.width);
     EXPECT_EQ(panel.view.height, grid.panels[0].view.height);
     for (const double edge : {panel.view.x, panel.view.y, panel.view.right(), panel.view.top()})

@@ -9,7 +9,7 @@ using namespace seiche::render;
 TEST(Axis, HasALabelAtEachRoundNumberWithinTheRange) {
   const Axis axis = axis_of({-130, 370}, 5);
   ASSERT_EQ(axis.ticks.size(), 5u);
-  EXPECT_EQ(axis.ticks.front().place, -100);
+  EXPECT_EQ(axis.ticks.front().position, -100);
   EXPECT_EQ(axis.ticks.front().label, "\u2212100");
   EXPECT_EQ(axis.ticks[1].label, "0");
   EXPECT_EQ(axis.ticks.back().label, "300");

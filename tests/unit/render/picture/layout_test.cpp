@@ -31,7 +31,7 @@ TEST(Layout, NothingIsClippedAndNothingOverlaps) {
         const Layout layout = lay_out(all);
         ASSERT_GT(layout.scale, 0);
         std::vector<Box> boxes{layout.view, layout.caption, layout.clock, layout.ruler, layout.key, layout.bar};
-        for (const CurvePlace& place : layout.curves) {
+        for (const CurveBoxes& place : layout.curves) {
           EXPECT_GE(place.plot.height, 3 * layout.font);
           EXPECT_GE(place.plot.width, 8 * layout.font);
           boxes.insert(boxes.end(), {place.plot, place.title, place.values, place.times});

@@ -50,7 +50,7 @@ double distance(const Triple& a, const Triple& b) { return std::hypot(a[0] - b[0
 }  // namespace
 
 TEST(Palette, ReferencesOfSeveralRunsAreNoRunsColour) {
-  for (const char* background : {"white", "black"}) {
+  for (const Background background : {Background::white, Background::black}) {
     const Palette colours = palette_of_several(background);
     for (const Rgb& reference : colours.references) {
       EXPECT_TRUE(reference[0] == reference[1] && reference[1] == reference[2]) << "grey";
@@ -61,14 +61,15 @@ TEST(Palette, ReferencesOfSeveralRunsAreNoRunsColour) {
 }
 
 TEST(Palette, RunsDifferForEveryEyeAndFromThePaper) {
-  for (const char* background : {"white", "black", "transparent"}) {
+  for (const Background background : {Background::white, Background::black, Background::transparent}) {
     const Palette colours = palette(background);
     for (const Matrix& eye : eyes)
       for (std::size_t i = 0; i < colours.runs.size(); ++i) {
-        EXPECT_GT(std::abs(seen(colours.runs[i], eye)[0] - seen(colours.paper, eye)[0]), 25) << background << " " << i;
+        EXPECT_GT(std::abs(seen(colours.runs[i], eye)[0] - seen(colours.paper, eye)[0]), 25)
+            << seiche::name(background) << " " << i;
         for (std::size_t j = 0; j < i; ++j)
           EXPECT_GT(distance(seen(colours.runs[i], eye), seen(colours.runs[j], eye)), 12)
-              << background << " " << i << " and " << j;
+              << seiche::name(background) << " " << i << " and " << j;
       }
   }
 }

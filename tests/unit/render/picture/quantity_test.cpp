@@ -18,7 +18,7 @@ namespace {
 
 const test::Box box{.length = 0.2, .height = 0.1, .depth = 0.05, .spacing = 0.01};
 
-std::map<Rgb, int> colours_of(const std::string& quantity, const Frame& frame) {
+std::map<Rgb, int> colours_of(Quantity quantity, const Frame& frame) {
   Look look;
   look.width = 480;
   look.height = 270;
@@ -42,14 +42,20 @@ TEST(Quantity, HasANameATitleAndAValue) {
   frame.number_density = {0.5f};
   frame.free_surface = {1};
   frame.kind = {Kind::dummy};
-  const std::map<std::string, double> values{
+  const std::map<std::string_view, double> values{
       {"pressure", -5}, {"speed", 7}, {"number-density", 0.5}, {"free-surface", 1}, {"kind", 2}};
-  ASSERT_EQ(values.size(), quantity_names().size());
-  for (const auto& [name, value] : values) {
-    EXPECT_EQ(value_of(quantity_of(name), frame, 0), value) << name;
-    EXPECT_NE(std::string(title_of(quantity_of(name))), "") << name;
+  for (const QuantityRow& row : ChoiceTable<Quantity>::rows) {
+    EXPECT_EQ(&row_of(row.value), &row);
+    EXPECT_NE(title_of(row.value), "") << row.name;
+    if (values.contains(row.name)) {
+      EXPECT_EQ(value_of(row.value, frame, 0), values.at(row.name)) << row.name;
+    } else {
+      EXPECT_THROW(value_of(row.value, frame, 0), std::runtime_error) << row.name << " isn't in files of before";
+      frame.derived.push_back({row.value, {-3}});
+      EXPECT_EQ(value_of(row.value, frame, 0), -3) << row.name;
+    }
   }
-  EXPECT_THROW(quantity_of("presure"), std::invalid_argument);
+  EXPECT_EQ(title_of(Quantity::speed), "speed [m/s]");
 }
 
 TEST(Quantity, ColoursTheFluidByIt) {
@@ -57,18 +63,18 @@ TEST(Quantity, ColoursTheFluidByIt) {
   for (auto& velocity : frame.velocity) velocity = {0.3f, 0, 0.4f};
   const RunInfo run = test::run_info(box);
   const Range range = scene_range(run, Quantity::speed);
-  const Rgb expected = ColourMap("viridis")((0.5 - range.low) / (range.high - range.low));
-  EXPECT_GT(colours_of("speed", frame)[expected], 1000);
-  EXPECT_EQ(colours_of("pressure", frame)[expected], 0);
+  const Rgb expected = ColourMap(ColourMapName::viridis)((0.5 - range.low) / (range.high - range.low));
+  EXPECT_GT(colours_of(Quantity::speed, frame)[expected], 1000);
+  EXPECT_EQ(colours_of(Quantity::pressure, frame)[expected], 0);
 }
 
 TEST(Quantity, ClassesHaveColoursOfTheirOwnAndNoMarks) {
   const auto frame = test::lattice(box, 0);
-  auto surface = colours_of("free-surface", *frame);
+  auto surface = colours_of(Quantity::free_surface, *frame);
   for (const Class& each : classes_of(Quantity::free_surface)) EXPECT_GT(surface[each.colour], 400) << each.name;
   EXPECT_EQ(surface[Particles::surface_colour], 0);
   EXPECT_GT(surface[Particles::wall_colour], 400);
-  auto kinds = colours_of("kind", *frame);
+  auto kinds = colours_of(Quantity::kind, *frame);
   for (const Class& each : classes_of(Quantity::kind)) EXPECT_GT(kinds[each.colour], 400) << each.name;
   EXPECT_EQ(kinds[Particles::wall_colour], 0);
 }

@@ -9,15 +9,19 @@
 using namespace seiche;
 using namespace seiche::render;
 
-TEST(Range, NamedModesAreNoNumbers) {
-  for (const char* name : {"scene", "frame", "run"}) EXPECT_FALSE(parse_range(name)) << name;
+TEST(Range, ReadsWhereItComesFrom) {
+  EXPECT_EQ(parse_range("scene").source, RangeSource::scene);
+  EXPECT_EQ(parse_range("frame").source, RangeSource::frame);
+  EXPECT_EQ(parse_range("run").source, RangeSource::run);
+  for (const char* text : {"scene", "frame", "run", "-100,3000", "0.1,1e+20"})
+    EXPECT_EQ(text_of(parse_range(text)), text);
 }
 
 TEST(Range, ReadsTwoNumbers) {
   const auto range = parse_range(" -250.5, 3e3");
-  ASSERT_TRUE(range);
-  EXPECT_DOUBLE_EQ(range->low, -250.5);
-  EXPECT_DOUBLE_EQ(range->high, 3000);
+  EXPECT_EQ(range.source, RangeSource::given);
+  EXPECT_DOUBLE_EQ(range.given.low, -250.5);
+  EXPECT_DOUBLE_EQ(range.given.high, 3000);
 }
 
 TEST(Range, RefusesAnythingElse) {
@@ -43,6 +47,8 @@ TEST(Range, OfTheSceneSuitsTheQuantity) {
   EXPECT_DOUBLE_EQ(scene_range(run, Quantity::speed).low, 0);
   EXPECT_NEAR(scene_range(run, Quantity::speed).high, 0.8, 1e-9);
   EXPECT_DOUBLE_EQ(scene_range(run, Quantity::number_density).low + scene_range(run, Quantity::number_density).high, 2);
+  EXPECT_NEAR(scene_range(run, Quantity::vorticity).low, -8, 1e-9) << "-sqrt(g/H) = -7.0 1/s, and turns both ways";
+  EXPECT_NEAR(scene_range(run, Quantity::vorticity).high, 8, 1e-9);
   EXPECT_DOUBLE_EQ(scene_range(run, Quantity::free_surface).high, 1);
   EXPECT_DOUBLE_EQ(scene_range(run, Quantity::kind).high, 2);
 }
@@ -51,14 +57,14 @@ TEST(Range, IsFixedUnlessItComesFromFrames) {
   const RunInfo run;
   Look look;
   const auto fixed = [&](const char* range) {
-    look.range = range;
+    look.range = parse_range(range);
     return fixed_range(run, look);
   };
   EXPECT_TRUE(fixed("scene"));
   EXPECT_DOUBLE_EQ(fixed("-1,2")->high, 2);
   EXPECT_FALSE(fixed("frame"));
   EXPECT_FALSE(fixed("run"));
-  look.quantity = "kind";
+  look.quantity = Quantity::kind;
   for (const char* range : {"scene", "-1,2", "frame", "run"}) EXPECT_DOUBLE_EQ(fixed(range)->high, 2) << range;
 }
 

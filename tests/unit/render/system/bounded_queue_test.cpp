@@ -47,10 +47,10 @@ TEST(BoundedQueue, WaitsWhileFull) {
 
 TEST(BoundedQueue, WaitsWhileEmpty) {
   BoundedQueue<int> queue(2);
-  auto taker = std::async(std::launch::async, [&] { return queue.pop(); });
-  EXPECT_EQ(taker.wait_for(std::chrono::milliseconds(50)), std::future_status::timeout);
+  auto image_sink = std::async(std::launch::async, [&] { return queue.pop(); });
+  EXPECT_EQ(image_sink.wait_for(std::chrono::milliseconds(50)), std::future_status::timeout);
   queue.push(7);
-  EXPECT_EQ(taker.get(), 7);
+  EXPECT_EQ(image_sink.get(), 7);
 }
 
 TEST(BoundedQueue, AnErrorOfTheGiverComesAfterWhatItGave) {

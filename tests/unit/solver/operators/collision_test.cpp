@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solver/operators/separation.hpp"
+#include "solver/operators/close_pairs.hpp"
 #include "tests/unit/solver/cloud.hpp"
 
 namespace seiche::solver {
@@ -82,7 +82,7 @@ TYPED_TEST(Collision, OfACloudKeepsMomentumAndLosesEnergy) {
     const auto [momentum, energy] = momentum_and_energy(s);
     collide(s);
     const auto [momentum_after, energy_after] = momentum_and_energy(s);
-    EXPECT_LT((momentum_after - momentum).norm(), 1e-13 * s.size());
+    EXPECT_LT((momentum_after - momentum).norm(), 1e-13 * static_cast<double>(s.size()));
     EXPECT_LT(energy_after, energy);
   }
 }

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solver/operators/separation.hpp"
+#include "solver/operators/close_pairs.hpp"
 #include "tests/unit/solver/cloud.hpp"
 
 // The paper's additional modification.

@@ -9,9 +9,8 @@ namespace {
 
 using test::SensedTank;
 
-template <class T>
+template <class T, int D = T::D>
 struct BudgetOf : ::testing::Test {
-  static constexpr int D = T::D;
   SensedTank<D> tank;
   double mass = 1000 * 0.2 * 0.1 * (D == 3 ? 0.12 : 1);
 

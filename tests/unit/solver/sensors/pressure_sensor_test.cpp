@@ -10,14 +10,14 @@ namespace {
 using test::l0;
 using test::SensedTank;
 
-template <class T>
+template <class T, int D = T::D>
 struct PressureSensorOf : ::testing::Test {
-  static constexpr int D = T::D;
   SensedTank<D> tank;
 
-  double read(double x, double y, double side) const {
-    return PressureSensor<D>({"s", x, y, D == 3 ? 0.06 : 0, side}, tank.p).read(tank.s, tank.cells());
+  double read(double x, double y, double side, PressureReading reading = PressureReading::mean) const {
+    return PressureSensor<D>({"s", x, y, D == 3 ? 0.06 : 0, side, reading}, tank.p).read(tank.s, tank.cells());
   }
+  double highest(double x, double y, double side) const { return read(x, y, side, PressureReading::maximum); }
   /// 2000 + 10 x - 30 y (+ 20 z), lengths in l0.
   void set_linear() {
     tank.each_fluid(
@@ -54,6 +54,27 @@ TYPED_TEST(PressureSensorOf, AreaInACornerLiesInTheSideWall) {
   EXPECT_NEAR(this->read(0, 0, 0.04), this->linear(0, 0.01), 1e-8);
 }
 
+TYPED_TEST(PressureSensorOf, MaximumOfStillWaterIsAtTheDeepestEdge) {
+  const double weight = this->tank.weight;
+  for (double side : {0.001, 0.013, 0.03, 0.06})
+    EXPECT_NEAR(this->highest(0, 0.043, side), weight * (0.1 - 0.043 + 0.5 * side), 1e-8) << side;
+  EXPECT_NEAR(this->highest(0, 0.01, 0.04), weight * 0.1, 1e-8) << "the area ends with the wall";
+  EXPECT_NEAR(this->highest(0.1, 0, 0.04), weight * 0.1, 1e-8) << "the floor is level";
+}
+
+TYPED_TEST(PressureSensorOf, MaximumOfALinearFieldIsAtACornerOfTheArea) {
+  constexpr int D = TypeParam::D;
+  this->set_linear();
+  // In 3-D the pressure grows by 20 a spacing across, too: half a side of 3 l0 to the edge.
+  EXPECT_NEAR(this->highest(0.2, 0.045, 0.03), this->linear(0.2, 0.03) + (D == 3 ? 30 : 0), 1e-8);
+  EXPECT_NEAR(this->highest(0.1, 0, 0.03), this->linear(0.115, 0) + (D == 3 ? 30 : 0), 1e-8);
+}
+
+TYPED_TEST(PressureSensorOf, MaximumOfAPointIsThePoint) {
+  this->set_linear();
+  EXPECT_EQ(this->highest(0, 0.043, 0), this->read(0, 0.043, 0));
+}
+
 TYPED_TEST(PressureSensorOf, MeansThePressureAndNotThePoint) {
   // p = 9 (y/l0)^2 Pa with a fit that is exact in the mean: over y from 4 to 6 l0 the mean is 9 (25 + 1/3), less the
   // l0/2 midpoints' 9/48; the fit itself adds its smoothing of a parabola, as at the point.
@@ -65,6 +86,7 @@ TYPED_TEST(PressureSensorOf, MeansThePressureAndNotThePoint) {
 TYPED_TEST(PressureSensorOf, DryWallReadsZero) {
   EXPECT_EQ(this->read(0, 0.105, 0), 0) << "where the linear fit goes on below 0";
   EXPECT_EQ(this->read(0, 0.14, 0), 0);
+  EXPECT_EQ(this->highest(0, 0.14, 0.02), 0);
   // Of the area from 0.09 to 0.11 the lower half is wet, at 49 Pa in the mean.
   EXPECT_NEAR(this->read(0, 0.1, 0.02), 0.5 * this->tank.weight * 0.005, 1e-8);
 }

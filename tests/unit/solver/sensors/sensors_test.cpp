@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solver/make_simulation.hpp"
+#include "tests/unit/headers.hpp"
 #include "tests/unit/solver/still_tank.hpp"
 
 namespace seiche::solver {
@@ -123,7 +124,7 @@ TEST_F(SampledTank, HasAValueForEveryColumnAndNoOther) {
     SensorMemory memory;
     sensors.read(s, memory);
     const Readings readings = std::exchange(memory.readings, {});
-    const auto names = sensor_columns(p);
+    const auto names = seiche::test::headers(sensor_columns(p));
     ASSERT_EQ(readings.values.size(), names.size()) << off;
     for (std::size_t k = 0; k < names.size(); ++k) {
       const auto expected = still.find(names[k]);

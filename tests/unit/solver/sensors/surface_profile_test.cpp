@@ -10,9 +10,8 @@ namespace {
 using test::l0;
 using test::SensedTank;
 
-template <class T>
+template <class T, int D = T::D>
 struct SurfaceProfileOf : ::testing::Test {
-  static constexpr int D = T::D;
   SensedTank<D> tank;
 
   SurfaceProfile<D> profile() const {

@@ -10,9 +10,8 @@ namespace {
 using test::l0;
 using test::SensedTank;
 
-template <class T>
+template <class T, int D = T::D>
 struct WallLoadOf : ::testing::Test {
-  static constexpr int D = T::D;
   SensedTank<D> tank;
   double wide = D == 3 ? 0.12 : 1;
   double weight = 1000 * 9.81 * 0.2 * 0.1 * wide;     ///< of the water

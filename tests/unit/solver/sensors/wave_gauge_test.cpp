@@ -15,9 +15,8 @@ using test::SensedTank;
 
 const std::vector<double> places{0, 0.001, 0.005, 0.0123, 0.05, 0.1, 0.1025, 0.109, 0.1777, 0.1999, 0.2};
 
-template <class T>
+template <class T, int D = T::D>
 struct WaveGaugeOf : ::testing::Test {
-  static constexpr int D = T::D;
   SensedTank<D> tank;
 
   /// Of a gauge at x, midway across.

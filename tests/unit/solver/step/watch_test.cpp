@@ -9,9 +9,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-template <class T>
+template <class T, int D = T::D>
 struct WatchOf : ::testing::Test {
-  static constexpr int D = T::D;
   Parameters p = parameters();
   Motion motion{p.motion};
   Watch<D> watch{p, *make_shape<D>(p), motion};
@@ -58,17 +57,17 @@ TYPED_TEST(WatchOf, GivesTheGreatestSpeed) {
 
 TYPED_TEST(WatchOf, StopsAtWhatIsNotFinite) {
   const auto expect_stop = [&](auto spoil, const std::string& kind, int i) {
-    auto s = this->s;
-    spoil(s);
-    this->expect_failure([&] { this->watch.check_motion(s); },
+    auto spoiled = this->s;
+    spoil(spoiled);
+    this->expect_failure([&] { this->watch.check_motion(spoiled); },
                          {"not a finite number", kind + " particle " + std::to_string(i)});
   };
-  expect_stop([](auto& s) { s.velocity[9][1] = nan; }, "fluid", 9);
-  expect_stop([](auto& s) { s.velocity[9][0] = std::numeric_limits<double>::infinity(); }, "fluid", 9);
-  expect_stop([](auto& s) { s.position[11][0] = nan; }, "fluid", 11);
-  expect_stop([](auto& s) { s.pressure[12] = s.pressure[5] = nan; }, "fluid", 5);
+  expect_stop([](auto& state) { state.velocity[9][1] = nan; }, "fluid", 9);
+  expect_stop([](auto& state) { state.velocity[9][0] = std::numeric_limits<double>::infinity(); }, "fluid", 9);
+  expect_stop([](auto& state) { state.position[11][0] = nan; }, "fluid", 11);
+  expect_stop([](auto& state) { state.pressure[12] = state.pressure[5] = nan; }, "fluid", 5);
   const auto wall = std::find(this->s.kind.begin(), this->s.kind.end(), Kind::wall) - this->s.kind.begin();
-  expect_stop([&](auto& s) { s.pressure[wall] = nan; }, "wall", wall);
+  expect_stop([&](auto& state) { state.pressure[wall] = nan; }, "wall", wall);
 }
 
 TYPED_TEST(WatchOf, SaysWhereInTheTank) {
@@ -106,7 +105,22 @@ TYPED_TEST(WatchOf, StopsAfterAHundredShortStepsInARow) {
 }
 
 TYPED_TEST(WatchOf, NamesTheSourceWhereEveryParticleIsFinite) {
-  this->expect_failure([&] { this->watch.fail_not_finite(this->s); }, {"source", "two particles in one place"});
+  EXPECT_NO_THROW(this->watch.check_source(this->s, true));
+  this->expect_failure([&] { this->watch.check_source(this->s, false); }, {"source", "two particles in one place"});
+}
+
+TYPED_TEST(WatchOf, NamesTheParticleWhoseVelocityMadeTheSourceInfinite) {
+  this->s.velocity[9][1] = nan;
+  this->expect_failure([&] { this->watch.check_source(this->s, false); }, {"not a finite number", "fluid particle 9"});
+}
+
+TYPED_TEST(WatchOf, StopsWhereThePressureSolverDidNotConverge) {
+  EXPECT_NO_THROW(this->watch.check_solve(this->s, {12, 1e-5, true}));
+  this->expect_failure(
+      [&] {
+        this->watch.check_solve(this->s, {2000, 0.031, false});
+      },
+      {"'amg'", "2000 iterations", "0.031", "0.0001"});
 }
 
 }  // namespace

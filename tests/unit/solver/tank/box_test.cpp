@@ -8,9 +8,8 @@
 namespace seiche::solver {
 namespace {
 
-template <class T>
+template <class T, int D = T::D>
 struct BoxOf : ::testing::Test {
-  static constexpr int D = T::D;
   static Parameters parameters(bool closed) {
     Parameters p;
     p.tank = {0.6, 0.4, D == 3 ? 0.3 : 0, closed};
@@ -30,7 +29,7 @@ TYPED_TEST(BoxOf, KnowsTheNearestPointOfEachWall) {
         Vec<D> r = this->middle;
         r[axis] = top ? this->high[axis] + beyond : -beyond;
         const Nearest<D> wall = this->closed.nearest(r);
-        EXPECT_DOUBLE_EQ(wall.distance, beyond);
+        EXPECT_NEAR(wall.distance, beyond, 1e-15);
         EXPECT_EQ(wall.normal, Vec<D>((top ? 1 : -1) * Vec<D>::Unit(axis)));
         EXPECT_LT((wall.foot + beyond * wall.normal - r).norm(), 1e-15);
         const char* names[][2] = {{"left", "right"}, {"floor", "roof"}, {"near", "far"}};
@@ -44,6 +43,19 @@ TYPED_TEST(BoxOf, IsAsFarFromACornerAsTheCornerIs) {
   const Nearest<D> wall = this->closed.nearest(this->high + off);
   EXPECT_DOUBLE_EQ(wall.distance, off.norm());
   EXPECT_EQ(wall.foot, this->high);
+}
+
+TYPED_TEST(BoxOf, HasTheNormalOfTheSideWallInACorner) {
+  constexpr int D = TypeParam::D;
+  const auto axis_at = [&](const Vec<D>& r) {
+    int axis;
+    this->closed.nearest(r).normal.cwiseAbs().maxCoeff(&axis);
+    return axis;
+  };
+  Vec<D> r = Vec<D>::Zero();
+  EXPECT_EQ(axis_at(r), 0);
+  r[0] = this->middle[0];
+  EXPECT_EQ(axis_at(r), D == 3 ? 2 : 1) << "the near wall before the floor";
 }
 
 TYPED_TEST(BoxOf, HasNoRoofWhereItIsOpen) {

@@ -55,9 +55,8 @@ TEST(FillTank, AColumnStandsAtTheLeftWall) {
     }
 }
 
-template <class T>
+template <class T, int D = T::D>
 struct FilledTank : ::testing::Test {
-  static constexpr int D = T::D;
   Parameters p = small_tank<D>();
   Bounds<D> box = make_shape<D>(p)->bounds();
   State<D> s = fill_tank<D>(p);

@@ -1,4 +1,4 @@
-#include "apps/run/closing.hpp"
+#include "apps/run/summary.hpp"
 
 #include <fmt/format.h>
 
@@ -38,35 +38,32 @@ std::string speed(const RunRecord& record) {
   return result;
 }
 
-std::string places(const Scene& scene, const OutputFolder& folder) {
+std::string written(const Scene& scene, const OutputFolder& folder) {
   std::string result;
-  const auto place = [&](const char* what, const std::filesystem::path& path) {
+  const auto add = [&](std::string_view what, const std::filesystem::path& path) {
     if (std::filesystem::exists(path)) result += fmt::format("  {:<9} {}\n", what, path.string());
   };
-  if (scene.output.movie != "none") place("movie", folder.movie(scene.output.movie));
-  if (scene.output.pictures) place("pictures", folder.frames() / "");
-  if (scene.output.vtu) place("ParaView", folder.pvd());
-  if (scene.output.probes) place("curves", folder.probes());
-  place("record", folder.record());
-  if (scene.output.report) place("report", folder.report());
+  for (const OutputRow& row : output_rows())
+    if (scene.writes(row.kind)) add(row.title, folder.place(row.kind));
+  add("record", folder.record());
   return result;
 }
 
 }  // namespace
 
-std::string closing_text(const Scene& scene, const OutputFolder& folder, const RunRecord& record) {
+std::string summary_text(const Scene& scene, const OutputFolder& folder, const RunRecord& record) {
   const Statistics& s = record.statistics;
-  const double iterations = s.steps > 0 ? static_cast<double>(s.iterations) / s.steps : 0;
+  const double iterations = s.steps > 0 ? static_cast<double>(s.iterations) / static_cast<double>(s.steps) : 0;
   const long frames = record.ending->frames;
   return fmt::format("{}: {} frame{}, {} steps, {:.1f} pressure iterations a step, {} of wall time\n{}{}{}",
                      ending_sentence(*record.ending), frames, frames == 1 ? "" : "s", s.steps, iterations,
-                     clock_text(record.times.total), losses(s), speed(record), places(scene, folder));
+                     clock_text(record.times.total), losses(s), speed(record), written(scene, folder));
 }
 
-void print_closing(const Scene& scene, const OutputFolder& folder, const RunRecord& record, bool quiet) {
+void print_summary(const Scene& scene, const OutputFolder& folder, const RunRecord& record, bool quiet) {
   const bool bad = record.ending->status == Ending::Status::failed;
-  if (bad) fmt::print(stderr, "seiche: {}", closing_text(scene, folder, record));
-  if (!bad && !quiet) fmt::print("{}", closing_text(scene, folder, record));
+  if (bad) fmt::print(stderr, "seiche: {}", summary_text(scene, folder, record));
+  if (!bad && !quiet) fmt::print("{}", summary_text(scene, folder, record));
 }
 
 }  // namespace seiche::apps

@@ -21,7 +21,7 @@ struct CurveNeeds {
 };
 
 /// Where a curve goes.
-struct CurvePlace {
+struct CurveBoxes {
   Box plot;           ///< between its axes
   Box title, key;     ///< above it
   Box values, times;  ///< the axes' labels
@@ -49,7 +49,7 @@ struct Layout {
   Box caption, clock, ruler, key;
   Box bar;  ///< the colours alone, without the triangles at the ends
   bool bar_upright = true;
-  std::vector<CurvePlace> curves;  ///< none where they would take nearly half of the tank's size
+  std::vector<CurveBoxes> curves;  ///< none where they would take nearly half of the tank's size
 };
 
 }  // namespace seiche::render

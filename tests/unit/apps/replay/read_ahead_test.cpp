@@ -1,4 +1,4 @@
-#include "apps/replay/ahead.hpp"
+#include "apps/replay/read_ahead.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,24 +13,24 @@ namespace {
 using Number = std::shared_ptr<const long>;
 
 // 0, 1, 2 ... up to `count` of them.
-Ahead<Number>::Make counting(long count, std::atomic<long>& made) {
+ReadAhead<Number>::Make counting(long count, std::atomic<long>& made) {
   return [count, &made](const std::stop_token&) -> Number {
     if (made == count) return {};
     return std::make_shared<const long>(made++);
   };
 }
 
-TEST(Ahead, HandsOutAllInOrderAndThenNothing) {
+TEST(ReadAhead, HandsOutAllInOrderAndThenNothing) {
   std::atomic<long> made = 0;
-  Ahead<Number> ahead(counting(100, made), 3);
+  ReadAhead<Number> ahead(counting(100, made), 3);
   for (long k = 0; k < 100; ++k) EXPECT_EQ(*ahead.next(), k);
   EXPECT_FALSE(ahead.next());
   EXPECT_FALSE(ahead.next());
 }
 
-TEST(Ahead, IsNeverFurtherAheadThanItMayBe) {
+TEST(ReadAhead, IsNeverFurtherAheadThanItMayBe) {
   std::atomic<long> made = 0;
-  Ahead<Number> ahead(
+  ReadAhead<Number> ahead(
       [&](const std::stop_token&) {
         ++made;
         return std::make_shared<const long>(made);
@@ -42,9 +42,9 @@ TEST(Ahead, IsNeverFurtherAheadThanItMayBe) {
   }
 }
 
-TEST(Ahead, AnErrorComesAfterWhatWasMadeBeforeIt) {
+TEST(ReadAhead, AnErrorComesAfterWhatWasMadeBeforeIt) {
   long made = 0;
-  Ahead<Number> ahead(
+  ReadAhead<Number> ahead(
       [&](const std::stop_token&) -> Number {
         if (made == 2) throw std::runtime_error("damaged");
         return std::make_shared<const long>(made++);
@@ -56,11 +56,11 @@ TEST(Ahead, AnErrorComesAfterWhatWasMadeBeforeIt) {
   EXPECT_FALSE(ahead.next()) << "told once";
 }
 
-TEST(Ahead, WhoeverWaitsForMoreIsToldWhenNobodyTakesIt) {
+TEST(ReadAhead, WhoeverWaitsForMoreIsToldWhenNobodyTakesIt) {
   std::latch waiting(1);
   bool told = false;
   {
-    Ahead<Number> ahead(
+    ReadAhead<Number> ahead(
         [&](const std::stop_token& stop) -> Number {
           std::latch asked(1);
           const std::stop_callback when(stop, [&] { asked.count_down(); });

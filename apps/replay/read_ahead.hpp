@@ -12,20 +12,20 @@ namespace seiche::apps {
 
 /// Makes things on a thread of its own, a few ahead of who takes them, in their order. A null pointer is the last.
 template <class Pointer>
-class Ahead {
+class ReadAhead {
  public:
   /// Asked for one after another; the token tells when nobody waits for it any more.
   using Make = std::function<Pointer(const std::stop_token&)>;
 
   /// @param most that wait to be taken, 2 at least
-  Ahead(Make make, std::size_t most)
+  ReadAhead(Make make, std::size_t most)
       : make_(std::move(make)), made_(most - 1), thread_([this](const std::stop_token& stop) { serve(stop); }) {}
-  ~Ahead() {
+  ~ReadAhead() {
     thread_.request_stop();
     made_.fail();
   }
-  Ahead(const Ahead&) = delete;
-  Ahead& operator=(const Ahead&) = delete;
+  ReadAhead(const ReadAhead&) = delete;
+  ReadAhead& operator=(const ReadAhead&) = delete;
 
   /// Waits for the next one; null after the last. What making it threw is thrown here, after all that was made before.
   Pointer next() {

@@ -1,0 +1,43 @@
+#pragma once
+#include <cmath>
+
+#include "solver/operators/interactions.hpp"
+
+namespace seiche::solver {
+
+/// Particle shifting: the displacement -share l0^2 (d/n0) sum_j r_ij w/r_ij^2 of each fluid particle away from the free
+/// surface (`near` 0), towards where neighbours are sparse (after Xu, Stansby, Laurence 2009) [m]; zero elsewhere.
+/// @param share strength sqrt(g H) dt/l0: particles even out at a rate of their own, whatever the step
+template <int D>
+void particle_shift(const Pairs<D>& pairs, double n0, double share, double l0, const std::vector<std::uint8_t>& near,
+                    const State<D>& s, Vecs<D>& out) {
+  const int size = static_cast<int>(s.size());
+#pragma omp parallel for schedule(static)
+  for (int i = 0; i < size; ++i) {
+    out[i].setZero();
+    if (s.kind[i] != Kind::fluid || near[i] || share == 0) continue;
+    Vec<D> sum = Vec<D>::Zero();
+    pairs.each(i, s, [&](int, const Vec<D>& rij, double weight) { sum -= weight * rij; });
+    out[i] = share * l0 * l0 * D / n0 * sum;
+  }
+}
+
+/// Particle shifting at the rate that the scene names.
+class ParticleShift {
+ public:
+  explicit ParticleShift(const Parameters& p)
+      : strength_(p.method.shift), wave_speed_(std::sqrt(p.gravity * p.fluid.depth)), l0_(p.particles.spacing) {}
+
+  /// Displacements in a step of length dt [m].
+  template <int D>
+  void operator()(const Range<D>& range, double dt, const State<D>& s, Vecs<D>& out) const {
+    resize_kept(out, s.size());
+    const double share = strength_ * dt * wave_speed_ / l0_;
+    particle_shift(*range.pairs, range.ref.n0, share, l0_, s.near_surface, s, out);
+  }
+
+ private:
+  double strength_, wave_speed_, l0_;  ///< [-], sqrt(g H) [m/s], [m]
+};
+
+}  // namespace seiche::solver

@@ -1,0 +1,51 @@
+#include "solver/sensors/sensor_kinds.hpp"
+
+#include "solver/motion/excursion.hpp"
+#include "solver/sensors/energy.hpp"
+#include "solver/sensors/pressure_sensor.hpp"
+#include "solver/sensors/scales.hpp"
+#include "solver/sensors/volume.hpp"
+#include "solver/sensors/wall_load.hpp"
+#include "solver/sensors/wave_gauge.hpp"
+
+namespace seiche::solver {
+namespace {
+
+template <int D, template <int> class Kind>
+SensorKind<D> kind() {
+  return {&Kind<D>::columns, [](const Parameters& p, const State<D>& start) -> std::unique_ptr<Sensor<D>> {
+            return std::make_unique<Kind<D>>(p, start);
+          }};
+}
+
+template <int D>
+std::vector<Column> sensor_columns(const Parameters& p) {
+  std::vector<Column> all;
+  for (const SensorKind<D>& kind : sensor_kinds<D>())
+    for (Column& column : kind.columns(p)) all.push_back(std::move(column));
+  return all;
+}
+
+}  // namespace
+
+template <int D>
+const std::vector<SensorKind<D>>& sensor_kinds() {
+  static const std::vector<SensorKind<D>> kinds{kind<D, PressureSensors>(), kind<D, WaveGauges>(),
+                                                kind<D, WallLoadSensor>(), kind<D, EnergySensor>(),
+                                                kind<D, VolumeSensor>()};
+  return kinds;
+}
+
+template const std::vector<SensorKind<2>>& sensor_kinds<2>();
+template const std::vector<SensorKind<3>>& sensor_kinds<3>();
+
+std::vector<Column> columns_of(const Parameters& p) {
+  std::vector<Column> all = p.dimension() == 3 ? sensor_columns<3>(p) : sensor_columns<2>(p);
+  for (Column& column : motion_columns(p.motion, excursion(p))) {
+    if (column.scale == 0) column.scale = Scales(p).length;  // an amplitude of 0
+    all.push_back(std::move(column));
+  }
+  return all;
+}
+
+}  // namespace seiche::solver

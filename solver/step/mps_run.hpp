@@ -1,0 +1,125 @@
+#pragma once
+#include <utility>
+
+#include "solver/step/derived.hpp"
+#include "solver/step/mps.hpp"
+#include "solver/step/snapshot.hpp"
+#include "solver/tank/filling.hpp"
+#include "solver/tank/lost_particles.hpp"
+#include "solver/tank/standing_wave.hpp"
+
+// A run of Mps: how it starts, takes a step, hands out frames and goes on from a state.
+namespace seiche::solver {
+
+template <int D>
+Mps<D>::Mps(const Parameters& p, double sample_interval)
+    : p_(p),
+      motion_(p.motion),
+      tank_(make_shape<D>(p)),
+      run_{.particles = fill_tank<D>(p)},
+      near_(p, tank_->bounds().low.array() - wall_layers(p.method) * p.particles.spacing,
+            tank_->bounds().high.array() + wall_layers(p.method) * p.particles.spacing, longest_support(p.method)),
+      walls_(make_walls<D>(p, near_.density.w)),
+      surface_(p.method),
+      viscosity_(p),
+      equation_(p),
+      gradient_(p.method.gradient),
+      shift_(p),
+      separation_(p),
+      sensors_(p, sample_interval, s_),
+      watch_(p, *tank_, motion_) {
+  count_kinds();
+  find_neighbours();
+  find_surface();
+  if (const StandingWave wave(p, tank_->bounds().size()[0]); p.fluid.wave_amplitude != 0)
+    each_fluid(s_, [&](int i) { s_.velocity[i] = wave.velocity<D>(s_.position[i]); });
+  if (motion_.jumps()) start_at_rest_in_lab();
+  run_.fastest = watch_.check_motion(s_);
+  sensors_.read(s_, run_.sensors);
+}
+
+template <int D>
+void Mps<D>::count_kinds() {
+  for (Kind k : s_.kind)
+    ++(k == Kind::fluid ? totals_.fluid_particles : k == Kind::wall ? totals_.wall_particles : totals_.dummy_particles);
+  run_.fluid_at_start = totals_.fluid_particles;
+}
+
+/// Impulsive start: relative to the tank, liquid at rest in the lab moves at -(v + w k x d). Where the pressure
+/// equation balances the body force, that jump is an impulse, a force over one step of length dt without gravity, and
+/// the velocity that it leaves, whatever dt, is projected; its pressure, which no finite step could report, is
+/// forgotten.
+template <int D>
+void Mps<D>::start_at_rest_in_lab() {
+  const double dt = step_cap(p_);
+  forces_.set_body(start_force<D>(motion_, dt), p_.fluid.density, s_);
+  if (!walls_->slope(forces_)) return each_fluid(s_, [&](int i) { s_.velocity[i] += dt * forces_.body[i]; });
+  forces_.viscous.assign(s_.size(), Vec<D>::Zero());
+  const Scalars still = s_.pressure;
+  std::fill(s_.pressure.begin(), s_.pressure.end(), 0);
+  solve_pressure(dt, 0);
+  correct(dt);
+  s_.pressure = still;
+}
+
+template <int D>
+void Mps<D>::step(double until) {
+  const double rule = step_rule(p_, run_.fastest);
+  watch_.check_step(s_, rule, run_.short_steps);
+  const double dt = split_evenly(until - s_.time, rule);
+  const double end = s_.time + 1.5 * dt > until ? until : s_.time + dt;
+  {
+    const Stage stage(totals_.seconds["sensors"]);
+    sensors_.before_step(s_, end, run_.sensors);
+  }
+  if (p_.method.order == Order::move_first)
+    step_move_first(dt);
+  else
+    step_project_first(dt);
+  s_.time = end;
+  ++s_.step;
+  totals_.steps = s_.step;
+  totals_.shortest_step = s_.step == 1 ? dt : std::min(totals_.shortest_step, dt);
+  totals_.longest_step = std::max(totals_.longest_step, dt);
+  remove_lost();
+  run_.fastest = watch_.check_motion(s_);
+  watch_.check_leaks(s_, totals_, run_.fluid_at_start);
+  const Stage stage(totals_.seconds["sensors"]);
+  sensors_.read(s_, run_.sensors);
+}
+
+/// Removes fluid that went through a wall or over the rim, and counts it.
+template <int D>
+void Mps<D>::remove_lost() {
+  const auto [leaked, spilled] = take_out_lost(*tank_, p_.particles.spacing, s_);
+  if (leaked + spilled == 0) return;
+  totals_.leaked += leaked;
+  totals_.spilled += spilled;
+  totals_.fluid_particles -= leaked + spilled;
+  s_.listed_position.clear();
+  find_neighbours();
+  find_surface();
+}
+
+template <int D>
+FramePtr Mps<D>::frame(long index) {
+  auto frame = snapshot(s_, near_.density.ref.n0, motion_);
+  frame->index = index;
+  frame->readings = std::exchange(run_.sensors.readings, {});
+  Pairs<D> pairs;  // those of the stages are of the step's start
+  std::visit([&](auto w) { pairs.measure(w, near_.list, s_); }, near_.gradient.w);
+  derive(pairs, near_.gradient.ref.n0, s_, *frame);
+  return frame;
+}
+
+template <int D>
+void Mps<D>::resume(const RunState<D>& state) {
+  run_ = state;
+  // The list as it was: particles lie in its order already, so that none changes place.
+  s_.position = state.particles.listed_position;
+  near_.list.build(s_);
+  walls_->relist(near_.list, s_);
+  s_.position = state.particles.position;
+}
+
+}  // namespace seiche::solver
