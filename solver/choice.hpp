@@ -41,6 +41,8 @@ enum class SolverName { amg, iccg, sor, cholmod };
 enum class MotionType { none, harmonic, harmonics, file };
 /// What the liquid does at t = 0.
 enum class Start { impulsive, smooth };
+/// What a pressure sensor makes of the pressures on its area.
+enum class PressureReading { mean, maximum };
 
 template <class E>
 struct ChoiceTable;
@@ -114,6 +116,11 @@ template <>
 struct ChoiceTable<Start> {
   static constexpr std::array rows{Choice{Start::impulsive, "impulsive", "at rest in the lab"},
                                    Choice{Start::smooth, "smooth", "moves with the tank"}};
+};
+template <>
+struct ChoiceTable<PressureReading> {
+  static constexpr std::array rows{Choice{PressureReading::mean, "mean", "of the area"},
+                                   Choice{PressureReading::maximum, "maximum", "of the area, its edge included"}};
 };
 
 /// What scenes call it.

@@ -8,15 +8,6 @@
 
 namespace seiche {
 
-/// What a pressure sensor makes of the pressures on its area.
-enum class PressureReading { mean, maximum };
-
-template <>
-struct ChoiceTable<PressureReading> {
-  static constexpr std::array rows{Choice{PressureReading::mean, "mean", "of the area"},
-                                   Choice{PressureReading::maximum, "maximum", "of the area, its edge included"}};
-};
-
 /// Everything that the physics of a run depends on, in SI units. Who fills it in (a scene file, a test) sees to the
 /// ranges; `Simulation` checks only what concerns several members at once.
 struct Parameters {

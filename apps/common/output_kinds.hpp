@@ -10,6 +10,7 @@
 // What a run may write beside run.json. The keys of [output], --overwrite and a run's last words read the table.
 namespace seiche::apps {
 
+/// `report` is the last; each is written unless a scene says false.
 enum class OutputKind { pictures, movie, vtu, probes, report };
 
 /// A file of a run's folder, or a series of files by frame number; "{}" stands for the scene's name.

@@ -47,7 +47,7 @@ Json samples(const Scene& scene) {
   const Parameters::TimeSeries& series = scene.parameters.motion.series;
   Json motion{{"time_s", series.time}};
   for (const DegreeOfFreedomRow& row : degrees_of_freedom)
-    if (row.in_plane()) motion[series_key(row)] = series[row.value];
+    if (row.in_scenes) motion[series_key(row)] = series[row.value];
   Json result{{"motion", motion}, {"references", Json::array()}};
   for (const render::Reference& reference : scene.look.references)
     result["references"].push_back({{"time_s", reference.series.time}, {"value", reference.series.value}});
@@ -232,7 +232,7 @@ void read_samples(const nlohmann::json& json, Scene& scene) {
   Parameters::TimeSeries& samples = scene.parameters.motion.series;
   samples.time = numbers(motion.at("time_s"));
   for (const DegreeOfFreedomRow& row : degrees_of_freedom)
-    if (row.in_plane()) samples[row.value] = numbers(motion.at(series_key(row)));
+    if (const auto found = motion.find(series_key(row)); found != motion.end()) samples[row.value] = numbers(*found);
   std::size_t row = 0;
   for (render::Reference& reference : scene.look.references) {
     const auto& series = json.at("references").at(row++);

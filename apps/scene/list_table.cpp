@@ -15,7 +15,7 @@ void set_moved(Scene& s, std::size_t row, std::string_view text) {
 Choices movable() {
   Choices names;
   for (const DegreeOfFreedomRow& known : degrees_of_freedom)
-    if (known.in_plane()) names.push_back(known.name);
+    if (known.in_scenes) names.push_back(known.name);
   return names;
 }
 

@@ -42,7 +42,7 @@ std::optional<double> unit_in(std::span<const Unit> units, std::string_view name
 Column column_of(const Csv& table, const std::string& title) {
   if (const auto unit = unit_in(times, "t", title)) return {{}, *unit};
   for (const DegreeOfFreedomRow& row : degrees_of_freedom) {
-    if (!row.in_plane()) continue;
+    if (!row.in_scenes) continue;
     if (const auto unit = unit_in(row.rotation ? std::span<const Unit>(angles) : lengths, row.name, title))
       return {row.value, *unit};
   }

@@ -35,7 +35,7 @@ Chosen chosen() {
 Choices motion_types() {
   Choices all{name(MotionType::none)};
   for (const DegreeOfFreedomRow& row : degrees_of_freedom)
-    if (row.in_plane()) all.push_back(row.name);
+    if (row.in_scenes) all.push_back(row.name);
   all.insert(all.end(), {name(MotionType::harmonics), name(MotionType::file)});
   return all;
 }

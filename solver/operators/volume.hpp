@@ -20,13 +20,14 @@ struct VolumeKernel {
 };
 
 /// Excess of particles at fluid particles [-]: sum_j w(r_ij) over what it is on the lattice, less 1; j over all kinds,
-/// walls as far as they are wet, and i itself.
+/// walls as far as they are wet, and i itself; 0 at other particles.
 /// @param whole the sum on the lattice, i itself included
 template <int D>
 void volume_excess(const VolumeKernel& w, double whole, const Neighbours<D>& list, const State<D>& s, Scalars& out) {
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
+    out[i] = 0;
     if (s.kind[i] != Kind::fluid) continue;
     const Vec<D> ri = s.position[i];
     const std::span<const int> row = list[i];

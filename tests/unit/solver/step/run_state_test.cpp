@@ -82,6 +82,13 @@ TEST(RunState, ResumesEveryPressureSolver) {
   }
 }
 
+TEST(RunState, ResumesWallsThatHaveUnknownsOfTheMixedSource) {
+  Parameters p = test::surging(2);
+  p.method.wall_model = WallModel::particles;
+  p.method.source = SourceTerm::mixed;
+  expect_resumes<2>(p);
+}
+
 TEST(RunState, ResumesARunThatSpills) {
   Parameters p = test::surging(2);
   p.tank = {0.1, 0.05, 0, false};
