@@ -41,8 +41,8 @@ int main(int, char** arguments) {
   // on a free one: spin for some microseconds. libgomp reads these when it is loaded.
   setenv("OMP_WAIT_POLICY", "passive", 0);
   setenv("GOMP_SPINCOUNT", "300", 0);
-  std::error_code trouble;
-  const fs::path core = core_beside(fs::read_symlink("/proc/self/exe", trouble));
+  std::error_code error;
+  const fs::path core = core_beside(fs::read_symlink("/proc/self/exe", error));
   execv(core.c_str(), arguments);
   std::fprintf(stderr, "seiche: can't start %s: %s; install seiche anew\n", core.c_str(), std::strerror(errno));
   return seiche::apps::failed;

@@ -4,7 +4,6 @@
 
 #include <stdexcept>
 
-#include "render/curves/curve_choice.hpp"
 #include "render/picture/quantity.hpp"
 
 namespace seiche::render {
@@ -22,7 +21,6 @@ void check_look(const Look& look) {
     throw std::invalid_argument(fmt::format(
         "style 'smooth' draws means of numbers, which '{}' hasn't; choose another quantity, or style disc or dot",
         name(look.quantity)));
-  named_curves(look.curves);
 }
 
 void check_dimension(const Look& look, int dimension) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,9 @@ struct RangeChoice {
 /// Least and greatest width and height of a picture [pixels].
 constexpr int least_size = 64, greatest_size = 8192;
 
+/// Sensors, without their units, whose curves are drawn; none where the list is empty. No list: chosen automatically.
+using CurveChoice = std::optional<std::vector<std::string>>;
+
 /// How a picture looks. Every member is a scene key of [look] or [output].
 struct Look {
   int width = 1280, height = 720;          ///< [pixels]
@@ -57,7 +61,7 @@ struct Look {
   Style style = Style::disc;
   ReferenceFrame view = ReferenceFrame::tank;
   RangeChoice range;
-  std::string curves = "auto";        ///< auto | none | sensors without their units, as in "eta_left, p_left_bottom"
+  CurveChoice curves;                 ///< below the picture
   std::vector<Reference> references;  ///< one to a [[look.reference]]
   bool show_arrows = false;           ///< velocities relative to the tank, on a choice of particles; 2-D only
   bool show_walls = true;
@@ -68,6 +72,8 @@ struct Look {
   bool show_clock = true;
   bool show_caption = true;  ///< kernel, spacing, scene
   bool show_ruler = true;
+
+  bool draws_curves() const { return !curves || !curves->empty(); }
 };
 
 }  // namespace seiche::render

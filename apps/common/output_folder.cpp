@@ -94,7 +94,7 @@ void OutputFolder::prepare() const {
 fs::path OutputFolder::place(OutputKind kind) const {
   for (const OutputFile& each : output_row(kind).files) {
     const std::string name = fmt::format(fmt::runtime(each.name), scene);
-    const fs::path file = each.numbered ? path / each.folder / "" : path / each.folder / (name + each.suffix);
+    fs::path file = each.numbered ? path / each.folder / "" : path / each.folder / (name + each.suffix);
     if (fs::exists(file)) return file;
   }
   return {};

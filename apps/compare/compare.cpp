@@ -117,7 +117,7 @@ int compare_scene(const Request& request) {
   ProgressTable table(Progress::suitable(request.quiet));
   const int threads = request.threads > 0 ? request.threads : omp_get_num_procs();
   const Outcome outcome = run_all(runs, threads, request.overwrite, table, [&] { return signals.caught(); });
-  for (const std::string& trouble : outcome.troubles) fmt::print(stderr, "seiche: {}\n", trouble);
+  for (const std::string& error : outcome.errors) fmt::print(stderr, "seiche: {}\n", error);
   if (outcome.interrupted) {
     if (!request.quiet)
       fmt::print("Interrupted after {}; what is done is kept for the next time\n", clock_text(watch.seconds()));
@@ -128,12 +128,12 @@ int compare_scene(const Request& request) {
     try {
       shown.push_back(compared(run.label, read_run(run.folder)));
     } catch (const BadFolder&) {
-      if (outcome.troubles.empty()) throw;  // else it has been told why it isn't there
+      if (outcome.errors.empty()) throw;  // else it has been told why it isn't there
     }
   }
   if (shown.empty()) return failed;
   const int code = show(request, shown, look, folder, signals, watch);
-  return code == done && !outcome.troubles.empty() ? failed : code;
+  return code == done && !outcome.errors.empty() ? failed : code;
 }
 
 // Names that tell the runs apart: by what differs in their scenes if that is little, else by their folders.
@@ -142,7 +142,7 @@ std::vector<std::string> names_of(const std::vector<StoredRun>& runs) {
   std::vector<const Scene*> scenes;
   for (const StoredRun& run : runs) scenes.push_back(&run.scene);
   const auto keys = differences(scenes);
-  const auto labels = labels_of(scenes, keys);
+  auto labels = labels_of(scenes, keys);
   std::vector<std::string> folders, paths;
   for (const StoredRun& run : runs) {
     folders.push_back(fs::absolute(run.folder).lexically_normal().filename().string());

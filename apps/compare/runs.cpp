@@ -114,7 +114,7 @@ class Workers {
       } else {
         const std::string why = first_line(render::contents(workers_[i]->errors.get()));
         row.ending = fmt::format("could not be run: {}", why.empty() ? fmt::format("it ended with {}", *code) : why);
-        outcome.troubles.push_back(fmt::format("{} {}", row.label, row.ending));
+        outcome.errors.push_back(fmt::format("{} {}", row.label, row.ending));
       }
       workers_[i].reset();
     }
@@ -155,7 +155,7 @@ std::vector<std::string> ending_lines(const Ending& ending) {
     case Ending::Status::failed:
       break;
   }
-  return {fmt::format("stopped at {:.3f} s", ending.time), ending.failure ? ending.failure->cause : ending.trouble};
+  return {fmt::format("stopped at {:.3f} s", ending.time), ending.failure ? ending.failure->cause : ending.error};
 }
 
 Outcome run_all(const std::vector<PlannedRun>& runs, int threads, bool again, ProgressTable& table,

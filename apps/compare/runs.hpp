@@ -12,7 +12,7 @@ namespace seiche::apps::compare {
 /// How a set of runs went.
 struct Outcome {
   bool interrupted = false;
-  std::vector<std::string> troubles;  ///< one for each run that left no report, with its name
+  std::vector<std::string> errors;  ///< one for each run that left no report, with its name
 };
 
 /// Runs those that aren't done yet, each as `seiche run` in a process of its own, as many at a time as cores and memory

@@ -15,7 +15,7 @@ struct Replayed {
   long frames = 0;  ///< shown
   double time = 0;  ///< of the last one [s]
   bool interrupted = false;
-  std::string trouble;  ///< empty if none
+  std::string error;  ///< empty if none
 };
 
 /// What a replay shows, for its progress.
@@ -43,10 +43,10 @@ Replayed replay_loop(ReadAhead<Pointer>& frames, FrameSink& sink, const RunInfo&
                      stop(), span.start, "pictures"});
     }
   } catch (const std::exception& error) {
-    result.trouble = error.what();
+    result.error = error.what();
   }
   result.interrupted = stop();
-  add_trouble(result.trouble, sink.end());
+  add_error(result.error, sink.end());
   progress.clear();
   return result;
 }

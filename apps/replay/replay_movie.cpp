@@ -135,7 +135,7 @@ int replay_movie(const ReplayRequest& request) {
     ended = draw_again(request, replay, std::move(list), std::move(image_sinks), signals);
   }
   if (!replaced) return print_summary(request, ended, watch.seconds(), {{"movie", file}});
-  const bool whole = ended.trouble.empty() && !ended.interrupted;
+  const bool whole = ended.error.empty() && !ended.interrupted;
   if (whole) {
     render::publish(file);
   } else {

@@ -30,12 +30,12 @@ bool names(const ReplayRequest& request, const std::string& key) {
 // Curves need probes.csv; without it they are left out, unless they are asked for.
 void check_curves(const ReplayRequest& request, const StoredRun& run, Scene& scene) {
   const bool there = !run.record.ending || std::filesystem::exists(OutputFolder{run.folder, scene.name}.probes());
-  if ((scene.writes(OutputKind::probes) && there) || scene.look.curves == "none") return;
+  if ((scene.writes(OutputKind::probes) && there) || !scene.look.draws_curves()) return;
   if (names(request, "look.curves"))
     throw BadFolder(fmt::format(
         "{} has no readings to draw curves of: {}", run.folder.string(),
         scene.writes(OutputKind::probes) ? "its probes.csv isn't there" : "it was run with output.probes = false"));
-  scene.look.curves = "none";
+  scene.look.curves.emplace();
 }
 
 // Waits a moment, or until the token or Ctrl-C says not to.
@@ -135,9 +135,9 @@ Replayed draw_again(const ReplayRequest& request, const Replay& replay, FrameLis
 
 int print_summary(const ReplayRequest& request, const Replayed& ended, double seconds,
                   const std::vector<MadeFile>& made_files) {
-  const bool bad = !ended.trouble.empty();
+  const bool bad = !ended.error.empty();
   std::string text = fmt::format("{}: {} frame{} in {}\n",
-                                 bad                 ? fmt::format("{}\nKept", ended.trouble)
+                                 bad                 ? fmt::format("{}\nKept", ended.error)
                                  : ended.interrupted ? "Interrupted"
                                                      : "Done",
                                  ended.frames, ended.frames == 1 ? "" : "s", clock_text(seconds));

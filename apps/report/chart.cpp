@@ -13,6 +13,10 @@
 namespace seiche::apps::report {
 namespace {
 
+std::string classes(const LineStyle& style) {
+  return fmt::format("{} {}", style.reference ? "reference" : "run", style.name);
+}
+
 constexpr int columns = 750;   // each with two points at most: as fine as a screen shows
 constexpr double side = 1000;  // of the square that curves are drawn in before it is stretched
 constexpr int time_parts = 10, value_parts = 5;
@@ -56,13 +60,12 @@ std::string path(const Axes& axes, const Trace& trace) {
       step = 'L';
     }
   }
-  return fmt::format("<path class=\"{} {}\" d=\"{}\"/>\n", trace.reference ? "reference" : "run", line_style(trace),
-                     data);
+  return fmt::format("<path class=\"{}\" d=\"{}\"/>\n", classes(line_style(trace)), data);
 }
 
 // Where a run failed.
 std::string cross(const Axes& axes, const Trace& trace) {
-  return fmt::format("<text class=\"stop {}\" x=\"{}\" y=\"{}\" dy=\".35em\">✕</text>\n", line_style(trace),
+  return fmt::format("<text class=\"stop {}\" x=\"{}\" y=\"{}\" dy=\".35em\">✕</text>\n", line_style(trace).name,
                      percent(axes.across(trace.series.time.back())),
                      percent(std::clamp(axes.down(trace.series.value.back()), 0.0, 1.0)));
 }
@@ -92,14 +95,19 @@ std::string note(const Chart& chart, const Extent& extent) {
 
 }  // namespace
 
-std::string line_sample(const std::string& style) {
-  return fmt::format(
-      "<svg class=\"sample\" aria-hidden=\"true\"><line class=\"{} {}\" x2=\"100%\" y1=\"50%\" y2=\"50%\"/></svg>",
-      style.starts_with('r') ? "reference" : "run", style);
+LineStyle run_line(std::size_t number) { return {fmt::format("v{}", number)}; }
+
+LineStyle reference_line(std::size_t number) { return {fmt::format("r{}", number), true}; }
+
+LineStyle line_style(const Trace& trace) {
+  if (trace.of_all) return {"all"};
+  return trace.reference ? reference_line(trace.number) : run_line(trace.number);
 }
 
-std::string line_style(const Trace& trace) {
-  return trace.of_all ? "all" : fmt::format("{}{}", trace.reference ? 'r' : 'v', trace.number);
+std::string line_sample(const LineStyle& style) {
+  return fmt::format(
+      "<svg class=\"sample\" aria-hidden=\"true\"><line class=\"{}\" x2=\"100%\" y1=\"50%\" y2=\"50%\"/></svg>",
+      classes(style));
 }
 
 std::string chart_html(const Chart& chart, bool alone) {

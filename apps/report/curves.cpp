@@ -68,7 +68,7 @@ std::string heading_of(const seiche::Column& column) { return capitalised(column
 
 std::vector<seiche::Column> charted(const StoredRun& run) {
   render::Look look = run.scene.look;
-  if (render::named_curves(look.curves) == std::vector<std::string>{}) look.curves = "auto";
+  if (!look.draws_curves()) look.curves.reset();
   std::vector<seiche::Column> columns;
   for (const std::size_t column : render::chosen_columns(look, run.info.sensors))
     columns.push_back(run.info.sensors[column]);

@@ -43,7 +43,7 @@ std::string outcomes_html(const Report& report) {
   for (std::size_t i = 0; i < report.runs.size(); ++i) {
     const ReportRun& run = report.runs[i];
     const bool alone = report.runs.size() == 1;
-    html += fmt::format("<li>{}{}{}</li>\n", alone ? "" : line_sample(fmt::format("v{}", i)),
+    html += fmt::format("<li>{}{}{}</li>\n", alone ? "" : line_sample(run_line(i)),
                         alone ? "" : fmt::format("<b>{}</b> ", escaped(run.label)), escaped(outcome_text(run)));
   }
   return html + "</ul>\n";
@@ -57,8 +57,8 @@ std::string curves_html(const Report& report) {
   if (!alone) {
     html += "<ul class=\"key runs\" aria-label=\"Runs, to be shown or hidden\">";
     for (std::size_t i = 0; i < report.runs.size(); ++i)
-      html += fmt::format("<li><button type=\"button\" aria-pressed=\"true\" data-run=\"v{}\">{}{}</button></li>", i,
-                          line_sample(fmt::format("v{}", i)), escaped(report.runs[i].label));
+      html += fmt::format("<li><button type=\"button\" aria-pressed=\"true\" data-run=\"{}\">{}{}</button></li>",
+                          run_line(i).name, line_sample(run_line(i)), escaped(report.runs[i].label));
     html += "</ul>\n";
   }
   for (const Chart& chart : charts) html += chart_html(chart, alone);

@@ -79,9 +79,9 @@ std::string bar_html(std::size_t stills, bool movie) {
 // What can be done with it.
 std::string hint(const render::MovieRow* movie, bool stills) {
   std::vector<std::string> ways;
-  if (movie && movie->video) ways.push_back("play it");
-  if (stills) ways.push_back("slide through the stills");
-  ways.push_back("point at a time in the curves");
+  if (movie && movie->video) ways.emplace_back("play it");
+  if (stills) ways.emplace_back("slide through the stills");
+  ways.emplace_back("point at a time in the curves");
   std::string sentence = fmt::format("{}: all keep one clock.", fmt::join(ways, " or "));
   sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
   return sentence + (movie && !movie->video ? " The movie, a GIF, goes on by itself." : "");

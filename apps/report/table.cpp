@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "apps/report/chart.hpp"
 #include "apps/report/columns.hpp"
@@ -65,11 +66,10 @@ std::string head(const std::vector<Column>& columns, const std::vector<std::stri
 }
 
 // An empty cell of a run says that it isn't known.
-std::string row(const std::string& name, const std::string& style, const std::vector<Column>& columns,
+std::string row(const std::string& name, const std::optional<LineStyle>& style, const std::vector<Column>& columns,
                 const std::vector<std::string>& marks, std::size_t number, bool run) {
-  std::string html =
-      fmt::format("<tr{}>\n<th scope=\"row\"><div>{}<span>{}</span></div></th>\n", run ? "" : " class=\"theirs\"",
-                  style.empty() ? "" : line_sample(style), escaped(name));
+  std::string html = fmt::format("<tr{}>\n<th scope=\"row\"><div>{}<span>{}</span></div></th>\n",
+                                 run ? "" : " class=\"theirs\"", style ? line_sample(*style) : "", escaped(name));
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Cell cell = number < columns[i].cells.size() ? columns[i].cells[number] : Cell{};
     if (cell.value.empty()) {
@@ -100,9 +100,10 @@ std::string table_html(const Report& report) {
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table of measures\">\n<table>\n" +
       head(columns, marks) + "<tbody>\n";
   for (std::size_t i = 0; i < report.runs.size(); ++i)
-    html += row(alone ? "This run" : report.runs[i].label, alone ? "" : fmt::format("v{}", i), columns, marks, i, true);
+    html += row(alone ? "This run" : report.runs[i].label, alone ? std::nullopt : std::optional(run_line(i)), columns,
+                marks, i, true);
   for (std::size_t i = 0; i < references.size(); ++i)
-    html += row(references[i].label, fmt::format("r{}", i), columns, marks, report.runs.size() + i, false);
+    html += row(references[i].label, reference_line(i), columns, marks, report.runs.size() + i, false);
   return html + "</tbody>\n</table>\n</div>\n" + notes.list();
 }
 

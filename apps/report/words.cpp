@@ -65,7 +65,7 @@ std::string motion_text(const Report& report) {
 // The time and the step are told elsewhere.
 std::string cause_of(const Ending& ending) {
   std::string cause = ending.failure ? cause_text(*ending.failure) : "";
-  add_trouble(cause, ending.trouble);
+  add_error(cause, ending.error);
   return cause;
 }
 

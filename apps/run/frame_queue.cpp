@@ -30,7 +30,7 @@ std::size_t FrameQueue::waiting() const { return frames_.size(); }
 
 long FrameQueue::taken() const { return taken_; }
 
-std::string FrameQueue::trouble() const { return trouble_; }
+std::string FrameQueue::error() const { return error_; }
 
 double FrameQueue::waited() const { return waited_; }
 
@@ -43,10 +43,10 @@ void FrameQueue::serve() {
       ++taken_;
     }
   } catch (const std::exception& error) {
-    trouble_ = error.what();
+    error_ = error.what();
     frames_.fail();
   }
-  add_trouble(trouble_, outputs_.end());
+  add_error(error_, outputs_.end());
   end_.set_value();
 }
 

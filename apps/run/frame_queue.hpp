@@ -37,7 +37,7 @@ class FrameQueue {
 
   std::size_t waiting() const;  ///< frames not yet taken by the outputs
   long taken() const;           ///< frames that every output has
-  std::string trouble() const;  ///< what went wrong, empty if nothing; once they have ended
+  std::string error() const;    ///< what went wrong, empty if nothing; once they have ended
   double waited() const;        ///< wall-clock time that push() waited, all together [s]; for who pushes
 
  private:
@@ -47,7 +47,7 @@ class FrameQueue {
   const RunInfo& run_;
   render::BoundedQueue<FramePtr> frames_{depth};
   std::atomic<long> taken_ = 0;
-  std::string trouble_;  // the thread's own until it has ended
+  std::string error_;  // the thread's own until it has ended
   std::promise<void> end_;
   std::future<void> ended_ = end_.get_future();
   double waited_ = 0;

@@ -75,7 +75,7 @@ std::string name(Ending::Status status) {
 
 std::string Ending::reason() const {
   std::string all = failure ? sentence(*failure) : "";
-  add_trouble(all, trouble);
+  add_error(all, error);
   return all;
 }
 
@@ -90,15 +90,15 @@ Ending run_loop(Simulation& simulation, Outputs& outputs, const RunInfo& run, Pr
     ending.failure = error.failure;
   } catch (const std::exception& error) {
     ending.status = Ending::Status::failed;
-    ending.trouble = error.what();
+    ending.error = error.what();
   }
   ending.time = simulation.time();
   const double rest = drain(queue, progress);
   progress.clear();
   ending.waited = queue.waited() + rest;
   ending.frames = queue.taken();
-  if (!queue.trouble().empty()) ending.status = Ending::Status::failed;
-  add_trouble(ending.trouble, queue.trouble());
+  if (!queue.error().empty()) ending.status = Ending::Status::failed;
+  add_error(ending.error, queue.error());
   return ending;
 }
 

@@ -15,7 +15,7 @@ struct Ending {
   enum class Status { finished, failed, interrupted };
   Status status = Status::finished;
   std::optional<Failure> failure;  ///< of the simulation
-  std::string trouble;             ///< of the outputs, or anything else that isn't the simulation's
+  std::string error;               ///< of the outputs, or anything else that isn't the simulation's
   long frames = 0;                 ///< handed to every sink
   double time = 0;                 ///< simulated [s]
   double waited = 0;               ///< for the outputs, with nothing else to do: wall-clock [s]

@@ -35,7 +35,7 @@ std::string Outputs::end() {
     try {
       if (entry.began) sink->end();
     } catch (const std::exception& error) {
-      add_trouble(errors, error.what());
+      add_error(errors, error.what());
     }
     entry.seconds += watch.seconds();
   }
@@ -48,8 +48,8 @@ std::map<std::string, double> Outputs::seconds() const {
   return result;
 }
 
-void add_trouble(std::string& troubles, const std::string& another) {
-  if (!another.empty() && another != troubles) troubles += (troubles.empty() ? "" : "; ") + another;
+void add_error(std::string& errors, const std::string& another) {
+  if (!another.empty() && another != errors) errors += (errors.empty() ? "" : "; ") + another;
 }
 
 namespace {

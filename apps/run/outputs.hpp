@@ -36,8 +36,8 @@ class Outputs {
   std::vector<Entry> entries_;
 };
 
-/// Adds another trouble to those there are, "; " between; an empty one, or all of them again, adds nothing.
-void add_trouble(std::string& troubles, const std::string& another);
+/// Adds another error to those there are, "; " between; an empty one, or all of them again, adds nothing.
+void add_error(std::string& errors, const std::string& another);
 
 /// What the scene asks for, in its folder.
 Outputs make_outputs(const Scene& scene, const OutputFolder& folder);

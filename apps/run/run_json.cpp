@@ -67,7 +67,7 @@ Json ending(const std::optional<Ending>& ending) {
   if (!ending) return Json::object({{"status", "running"}});
   Json result = Json::object({{"status", name(ending->status)}, {"time_s", ending->time}, {"frames", ending->frames}});
   if (ending->failure) result["failure"] = failure(*ending->failure);
-  if (!ending->trouble.empty()) result["trouble"] = ending->trouble;
+  if (!ending->error.empty()) result["error"] = ending->error;
   return result;
 }
 
@@ -158,7 +158,7 @@ std::optional<Ending> read_ending(const nlohmann::json& json) {
   ending.time = json.at("time_s");
   ending.frames = json.at("frames");
   if (const auto found = json.find("failure"); found != json.end()) ending.failure = read_failure(*found);
-  ending.trouble = json.value("trouble", "");
+  ending.error = json.value("error", "");
   return ending;
 }
 

@@ -28,7 +28,7 @@ long index_in(const fs::path& file) {
 }
 
 // Fit for a user, who knows nothing of the library.
-std::string trouble_of(const nlohmann::json::exception& error) {
+std::string reason_of(const nlohmann::json::exception& error) {
   if (const auto* damage = dynamic_cast<const nlohmann::json::parse_error*>(&error))
     return fmt::format("it is damaged or cut off at byte {}; run it again", damage->byte);
   const std::string what = error.what();
@@ -55,7 +55,7 @@ StoredRun read_run(const fs::path& folder) {
     run.info = run_info(run.scene);
     run.info.version = json.at("seiche");
   } catch (const nlohmann::json::exception& error) {
-    throw BadFolder(fmt::format("{} can't be used: {}", file.string(), trouble_of(error)));
+    throw BadFolder(fmt::format("{} can't be used: {}", file.string(), reason_of(error)));
   } catch (const std::exception& error) {
     throw BadFolder(fmt::format("{} can't be used: {}", file.string(), error.what()));
   }
@@ -73,7 +73,7 @@ std::vector<StoredFrame> stored_frames(const StoredRun& run) {
       frames.push_back({index_in(name), entry.at("time"), run.folder / name});
     }
   } catch (const nlohmann::json::exception& error) {
-    throw BadFolder(fmt::format("{} can't be used: {}", list.string(), trouble_of(error)));
+    throw BadFolder(fmt::format("{} can't be used: {}", list.string(), reason_of(error)));
   }
   return frames;
 }

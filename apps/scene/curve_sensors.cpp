@@ -24,7 +24,7 @@ std::vector<Named> named_sensors(const Settings& settings) {
   for (const Setting& setting : settings.good) {
     if (setting.option != find_option("look", "curves")) continue;
     curves.clear();
-    const auto names = render::named_curves(std::get<std::string>(setting.value));
+    const render::CurveChoice names = render::parse_curves(std::get<std::string>(setting.value));
     for (const std::string& name : names.value_or(std::vector<std::string>{}))
       curves.push_back({name, title(*setting.option), setting.origin, setting.position});
   }

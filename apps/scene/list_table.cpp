@@ -30,8 +30,8 @@ ChosenInRow chosen() {
 }  // namespace
 
 // clang-format off: one key a line reads as the table that it is
-#define ROWS(rows) +[](const Scene& s) { return s.rows.size(); }, +[](Scene& s, std::size_t n) { s.rows.assign(n, {}); }
-#define AT(rows, member) +[](Scene& s, std::size_t k) -> decltype((s.rows[k].member)) { return s.rows[k].member; }
+#define ROWS(rows) [](const Scene& s) { return s.rows.size(); }, [](Scene& s, std::size_t n) { s.rows.assign(n, {}); }
+#define AT(rows, member) (+[](Scene& s, std::size_t k) -> decltype((s.rows[k].member)) { return s.rows[k].member; })
 #define CHOICE(rows, member)                                                \
   chosen < [](auto& s, std::size_t k) -> auto& { return s.rows[k].member; } \
   > (), names<decltype(Scene().rows[0].member)>()

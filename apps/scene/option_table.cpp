@@ -76,12 +76,9 @@ std::string get_range(const Scene& s) { return render::text_of(s.look.range); }
 
 void set_range(Scene& s, const std::string& text) { s.look.range = render::parse_range(text); }
 
-std::string get_curves(const Scene& s) { return s.look.curves; }
+std::string get_curves(const Scene& s) { return render::text_of(s.look.curves); }
 
-void set_curves(Scene& s, const std::string& text) {
-  render::named_curves(text);
-  s.look.curves = text;
-}
+void set_curves(Scene& s, const std::string& text) { s.look.curves = render::parse_curves(text); }
 
 const std::string sizes =
     fmt::format("width x height from {0}x{0} to {1}x{1}, as in 1280x720", render::least_size, render::greatest_size);
@@ -106,7 +103,7 @@ const Written range{get_range, set_range, "scene, frame, run, or min,max as in -
 const Written curves{get_curves, set_curves, "auto, none, or up to 3 sensors, as in eta_left, p_left_bottom"};
 
 // clang-format off: one key a line reads as the table that it is
-#define AT(member) +[](Scene& s) -> decltype((s.member)) { return s.member; }
+#define AT(member) (+[](Scene& s) -> decltype((s.member)) { return s.member; })
 #define CHOICE(member)                               \
   chosen < [](auto& s) -> auto& { return s.member; } \
   > (), names<decltype(Scene().member)>()

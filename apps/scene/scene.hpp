@@ -31,7 +31,7 @@ struct Scene {
   bool draws() const { return writes(OutputKind::pictures) || writes(OutputKind::movie); }
 
   /// Whether anything needs sensor readings.
-  bool samples() const { return writes(OutputKind::probes) || (draws() && look.curves != "none"); }
+  bool samples() const { return writes(OutputKind::probes) || (draws() && look.draws_curves()); }
 };
 
 }  // namespace seiche::apps

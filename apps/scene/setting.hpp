@@ -11,7 +11,7 @@ namespace seiche::apps {
 struct Position {
   unsigned line = std::numeric_limits<unsigned>::max();
   unsigned column = 0;
-  auto operator<=>(const Position&) const = default;
+  auto operator<=>(const Position&) const = default;  // NOLINT(modernize-use-nullptr): the 0 is the compiler's
 };
 
 /// A key with the value it is given, not yet put into a scene.

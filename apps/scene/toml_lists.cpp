@@ -63,11 +63,11 @@ void read_list(const List& list, const toml::node& node, const Placing& place, S
 
 void read_list_text(const List& list, const std::string& text, const std::string& origin, Settings& out) {
   const Place place{origin, {}};
+  const auto at_origin = [&](const toml::source_region&) -> const Place& { return place; };
   try {
     const toml::table root = toml::parse("list = " + text);
     if (root.size() > 1) return complain(place, fmt::format("expected one list, as in {}", form(list)), out);
-    read_list(
-        list, *root.get("list"), [&](const toml::source_region&) { return place; }, out);
+    read_list(list, *root.get("list"), at_origin, out);
   } catch (const toml::parse_error& error) {
     complain(place, fmt::format("{}; expected a list as in {}", error.description(), form(list)), out);
   }

@@ -32,7 +32,7 @@ bool is_small_length(const Option& option, const Scene& scene) {
 std::string label_part(const Option& option, const Scene& scene) {
   const Value value = value_of(option, scene);
   const std::string_view unit = unit_of(option, scene);
-  const std::string with_unit =
+  std::string with_unit =
       is_small_length(option, scene)
           ? fmt::format("{:.6g} mm", 1e3 * std::get<double>(value))
           : fmt::format("{}{}{}", text_of(value), unit.empty() ? "" : " ", render::raised_powers(std::string(unit)));

@@ -26,7 +26,7 @@
 namespace seiche::render {
 namespace {
 
-constexpr Rgb ink{34, 34, 34};
+constexpr Rgb foreground{34, 34, 34};
 
 void style_text(vtkTextProperty* text, double size) {
   set_font(text);
@@ -96,7 +96,7 @@ void add_legend(Overlay& overlay, const std::vector<Curve>& curves, double middl
         overlay.box({x + 2 * dash * sample / 9, y - 0.5 * thick, sample / 9, thick}, colour);
     if (curves[i].mark == Mark::points) overlay.ring(x + 0.5 * sample, y, 0, 0.2 * font, colour);
     x += sample + gap;
-    overlay.text(curves[i].name, x, y, font, Align::left, ink);
+    overlay.text(curves[i].name, x, y, font, Align::left, foreground);
     x += text_width(curves[i].name) * font + apart;
   }
 }
@@ -127,10 +127,10 @@ Image draw_curves(const std::vector<Curve>& curves, const std::string& title, co
   renderer->AddActor(actor);
   scene->SetRenderer(renderer);
   Overlay titles(renderer);
-  titles.text(title, width / 2.0, height - 1.6 * font, 1.15 * font, Align::centre, ink);
+  titles.text(title, width / 2.0, height - 1.6 * font, 1.15 * font, Align::centre, foreground);
   add_legend(titles, curves, room.x + room.width / 2, height - 3.4 * font, font);
-  titles.text(x_label, room.x + room.width / 2, 1.6 * font, font, Align::centre, ink);
-  titles.text(y_label, 1.6 * font, room.y + room.height / 2, font, Align::centre, ink)
+  titles.text(x_label, room.x + room.width / 2, 1.6 * font, font, Align::centre, foreground);
+  titles.text(y_label, 1.6 * font, room.y + room.height / 2, font, Align::centre, foreground)
       ->GetTextProperty()
       ->SetOrientation(90);
 

@@ -40,20 +40,25 @@ Chosen automatic(const std::vector<Reference>& references, const std::vector<Col
 
 }  // namespace
 
-std::optional<std::vector<std::string>> named_curves(const std::string& curves) {
-  if (trimmed(curves) == "auto") return std::nullopt;
+CurveChoice parse_curves(const std::string& text) {
+  if (trimmed(text) == "auto") return std::nullopt;
   std::vector<std::string> names;
-  if (trimmed(curves) == "none") return names;
-  for (std::size_t start = 0; start <= curves.size();) {
-    const auto comma = std::min(curves.find(',', start), curves.size());
-    names.push_back(trimmed(curves.substr(start, comma - start)));
+  if (trimmed(text) == "none") return names;
+  for (std::size_t start = 0; start <= text.size();) {
+    const auto comma = std::min(text.find(',', start), text.size());
+    names.push_back(trimmed(text.substr(start, comma - start)));
     start = comma + 1;
   }
   if (names.size() > most_curves || std::find(names.begin(), names.end(), "") != names.end())
     throw std::invalid_argument(
-        fmt::format("'{}' are no curves; give auto, none or up to {} sensors, as in \"eta_left, p_left_bottom\"",
-                    curves, most_curves));
+        fmt::format("'{}' are no curves; give auto, none or up to {} sensors, as in \"eta_left, p_left_bottom\"", text,
+                    most_curves));
   return names;
+}
+
+std::string text_of(const CurveChoice& curves) {
+  if (!curves) return "auto";
+  return curves->empty() ? "none" : fmt::format("{}", fmt::join(*curves, ", "));
 }
 
 std::string raised_powers(std::string unit) {
@@ -67,10 +72,9 @@ std::string curve_title(const Column& column) {
 }
 
 std::vector<std::size_t> chosen_columns(const Look& look, const std::vector<Column>& sensors) {
-  const auto wanted = named_curves(look.curves);
-  if (!wanted) return automatic(look.references, sensors);
+  if (!look.curves) return automatic(look.references, sensors);
   Chosen chosen;
-  for (const std::string& name : *wanted) {
+  for (const std::string& name : *look.curves) {
     const std::size_t found = find_column(sensors, name);
     if (found == sensors.size()) throw std::invalid_argument(fmt::format("the run has no sensor '{}'", name));
     add(chosen, found);

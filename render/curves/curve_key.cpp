@@ -36,7 +36,7 @@ void place_title(Overlay& overlay, const SensorCurve& curve, const Box& place, d
   const double y = middle(place), indent = has_sample(curve) ? mark + after_mark : 0;
   if (indent > 0) overlay.line(sample(place.x, y, font), curve_width * font, curve.traces[0].colour);
   const std::string title = shortened(curve.title, place.width / font - indent + 0.01);
-  overlay.text(title, place.x + indent * font, y, font, Align::left, colours.ink);
+  overlay.text(title, place.x + indent * font, y, font, Align::left, colours.foreground);
 }
 
 void place_key(Overlay& overlay, const SensorCurve& curve, const Box& place, double font, const Palette& colours) {
@@ -50,7 +50,8 @@ void place_key(Overlay& overlay, const SensorCurve& curve, const Box& place, dou
     for (const Line& line : dashed(sample(x, y, font), dash * font, gap * font))
       overlay.line(line, reference_width * font, colour);
     const std::string& label = curve.references[i].label;
-    overlay.text(shortened(label, room + 0.01), x + (mark + after_mark) * font, y, font, Align::left, colours.ink);
+    overlay.text(shortened(label, room + 0.01), x + (mark + after_mark) * font, y, font, Align::left,
+                 colours.foreground);
     x += (between + entry_width(label)) * font;
   }
 }

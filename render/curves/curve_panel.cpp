@@ -55,7 +55,7 @@ void CurvePanel::draw_values() {
   for (const Tick& tick : values_->ticks) {
     const double y = at({0, tick.position})[1];
     axes_.box({plot.x, y - thin_ / 2, plot.width, thin_}, colours_.grid);
-    axes_.text(tick.label, boxes_.values.right(), y, font_, Align::right, colours_.ink);
+    axes_.text(tick.label, boxes_.values.right(), y, font_, Align::right, colours_.foreground);
   }
 }
 
@@ -64,11 +64,11 @@ void CurvePanel::draw_times() {
   const double y = middle(boxes_.times);
   for (const Tick& tick : times_.ticks) {
     const double x = at({tick.position, 0})[0];
-    axes_.box({x - thin_ / 2, plot.y - 0.3 * font_, thin_, 0.3 * font_}, colours_.ink);
-    axes_.text(tick.label, x, y, font_, Align::centre, colours_.ink);
+    axes_.box({x - thin_ / 2, plot.y - 0.3 * font_, thin_, 0.3 * font_}, colours_.foreground);
+    axes_.text(tick.label, x, y, font_, Align::centre, colours_.foreground);
   }
   const double before = text_width(times_.ticks.front().label) / 2 + name_gap;
-  axes_.text(time_title, plot.x - before * font_, y, font_, Align::right, colours_.ink);
+  axes_.text(time_title, plot.x - before * font_, y, font_, Align::right, colours_.foreground);
 }
 
 void CurvePanel::draw_axes() {
@@ -76,8 +76,8 @@ void CurvePanel::draw_axes() {
   axes_.clear();
   draw_values();
   draw_times();
-  axes_.box({plot.x - thin_ / 2, plot.y - thin_ / 2, thin_, plot.height + thin_}, colours_.ink);
-  axes_.box({plot.x - thin_ / 2, plot.y - thin_ / 2, plot.width + thin_, thin_}, colours_.ink);
+  axes_.box({plot.x - thin_ / 2, plot.y - thin_ / 2, thin_, plot.height + thin_}, colours_.foreground);
+  axes_.box({plot.x - thin_ / 2, plot.y - thin_ / 2, plot.width + thin_, thin_}, colours_.foreground);
   place_title(axes_, curve_, boxes_.title, font_, colours_);
   place_key(axes_, curve_, boxes_.key, font_, colours_);
 }
@@ -104,7 +104,7 @@ void CurvePanel::show(double time) {
   }
   line_.clear();
   mark_.clear();
-  mark_.box({at({time, 0})[0] - thin_ / 2, plot.y, thin_, plot.height}, colours_.ink);
+  mark_.box({at({time, 0})[0] - thin_ / 2, plot.y, thin_, plot.height}, colours_.foreground);
   for (const Trace& trace : curve_.traces) draw_trace(trace, time);
 }
 

@@ -14,8 +14,7 @@ namespace {
 // Of the widest label on an axis that is cut into whatever number of parts, in font heights.
 double labels_room(Range range) {
   double width = 0;
-  for (int most = fewest_ticks; most <= most_ticks; ++most)
-    width = std::max(width, label_width(axis_of(range, most)));
+  for (int most = fewest_ticks; most <= most_ticks; ++most) width = std::max(width, label_width(axis_of(range, most)));
   return curve_font * width;
 }
 
@@ -24,7 +23,7 @@ double labels_room(Range range) {
 CurveStrip::CurveStrip(const std::vector<SensorCurve>& curves) : curves_(curves) {}
 CurveStrip::~CurveStrip() = default;
 
-void CurveStrip::claim(Needs& needs) const {
+void CurveStrip::reserve(Needs& needs) const {
   for (const SensorCurve& curve : curves_) {
     CurveNeeds room;
     room.title = curve_font * title_width(curve);

@@ -20,7 +20,7 @@ class CurveStrip {
   ~CurveStrip();
 
   /// Fills in what they take up.
-  void claim(Needs& needs) const;
+  void reserve(Needs& needs) const;
 
   void place(vtkRenderer* renderer, const Layout& layout, const Palette& colours);
 

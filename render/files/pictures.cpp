@@ -15,9 +15,8 @@ namespace {
 class Pictures : public Sink {
  public:
   Pictures(const Look& look, std::vector<std::unique_ptr<ImageSink>> image_sinks, std::filesystem::path folder)
-      : look_(look), image_sinks_(std::move(image_sinks)), folder_(std::move(folder)) {
+      : look_(look), quantity_(look.quantity), image_sinks_(std::move(image_sinks)), folder_(std::move(folder)) {
     check_look(look_);
-    quantity_ = look_.quantity;
   }
 
   void begin(const RunInfo& run) override {
@@ -69,7 +68,7 @@ class Pictures : public Sink {
   }
 
   Look look_;
-  Quantity quantity_ = Quantity::pressure;
+  Quantity quantity_;
   std::vector<std::unique_ptr<ImageSink>> image_sinks_;
   std::optional<Painter> painter_;
   std::optional<Range> fixed_;

@@ -146,7 +146,8 @@ Frame read_vtu(const std::filesystem::path& file, long index) {
   for (const QuantityRow& row : ChoiceTable<Quantity>::rows) {
     const std::string name(row.name);
     if (row.of || !points.has(name.c_str())) continue;
-    points.copy<vtkFloatArray>(name.c_str(), frame.derived.emplace_back(row.value).values, n);
+    frame.derived.push_back({row.value, {}});
+    points.copy<vtkFloatArray>(name.c_str(), frame.derived.back().values, n);
   }
   return frame;
 }

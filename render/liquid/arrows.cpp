@@ -86,13 +86,13 @@ Arrows::Arrows(vtkRenderer* renderer, const RunInfo& run, const ArrowScale& leng
       apart_(std::max(arrow_distance * font_, 1.5 * run.spacing)),
       layer_(Particles::layer_height(run)),
       halos_(std::make_unique<Shapes>(renderer, halo)),
-      inks_(std::make_unique<Shapes>(renderer, ink)) {}
+      shafts_(std::make_unique<Shapes>(renderer, foreground)) {}
 
 Arrows::~Arrows() = default;
 
 void Arrows::show(const Frame& frame, const RigidState& pose) {
   halos_->clear();
-  inks_->clear();
+  shafts_->clear();
   for (const std::size_t i : arrow_bearers(frame, apart_)) {
     const double u = frame.velocity[i][0], v = frame.velocity[i][1], speed = std::hypot(u, v);
     const double length = lengths_.length * std::min(speed, lengths_.greatest);
@@ -101,12 +101,12 @@ void Arrows::show(const Frame& frame, const RigidState& pose) {
     const ArrowShape arrow = placed(arrow_shape(length * font_, font_), middle, {u / speed, v / speed});
     halos_->add(arrow.shaft_halo);
     halos_->add(arrow.head_halo);
-    inks_->add(arrow.shaft);
-    inks_->add(arrow.head);
+    shafts_->add(arrow.shaft);
+    shafts_->add(arrow.head);
   }
   // Over the marks of the free surface; no arrow's halo cuts another.
   halos_->finish(pose, 2 * layer_);
-  inks_->finish(pose, 2.5 * layer_);
+  shafts_->finish(pose, 2.5 * layer_);
 }
 
 }  // namespace seiche::render

@@ -24,13 +24,13 @@ class Arrows {
 
   void show(const Frame& frame, const RigidState& pose);
 
-  static constexpr Rgb ink{24, 24, 28}, halo{255, 255, 255};
+  static constexpr Rgb foreground{24, 24, 28}, halo{255, 255, 255};
 
  private:
   struct Shapes;
   ArrowScale lengths_;
   double font_, apart_, layer_;  // [m]
-  std::unique_ptr<Shapes> halos_, inks_;
+  std::unique_ptr<Shapes> halos_, shafts_;
 };
 
 }  // namespace seiche::render

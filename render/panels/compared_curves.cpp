@@ -33,7 +33,7 @@ std::vector<SensorCurve> compared_curves(const std::vector<Variant>& variants, c
   const RunInfo& first = variants.front().run;
   const auto colours = palette(look.background).runs;
   std::vector<SensorCurve> curves = sensor_curves(first, look);
-  if (!named_curves(look.curves))
+  if (!look.curves)
     std::erase_if(curves, [](const auto& curve) { return is_motion(curve.column) && curve.references.empty(); });
   for (SensorCurve& curve : curves) {
     curve.traces.clear();

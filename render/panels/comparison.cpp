@@ -80,12 +80,12 @@ Comparison::Pipeline::Pipeline(const std::vector<Variant>& variants, const Look&
   for (const Variant& variant : variants) longest.end = std::max(longest.end, variant.run.end);
   words.emplace(longest, look, caption_of(variants), round_below(0.25 * view.width()));
   Needs needs{.width = look.width, .height = look.height, .view_width = view.width(), .view_height = view.height()};
-  words->claim(needs, view.foreshortening());
+  words->reserve(needs, view.foreshortening());
   if (look.show_bar) {
     needs.bar_labels = ScalarBar::label_width(quantity, range);
     needs.bar_title = text_width(title_of(quantity));
   }
-  strip.claim(needs);
+  strip.reserve(needs);
   const auto [layout, worded] = worded_layout(needs, variants, measured(curves));
   wording = worded;
   if (layout.panels.front().view.width < 8 || layout.panels.front().view.height < 8)
@@ -96,7 +96,7 @@ Comparison::Pipeline::Pipeline(const std::vector<Variant>& variants, const Look&
   window->SetAlphaBitPlanes(1);
   window->SetNumberOfLayers(2);
   window->AddRenderer(paper);
-  set_background(paper, look, colours.paper);
+  set_background(paper, look, colours.background);
   double finest = longest.spacing;
   for (const Variant& variant : variants) finest = std::min(finest, variant.run.spacing);
   for (std::size_t i = 0; i < variants.size(); ++i) {
@@ -104,9 +104,9 @@ Comparison::Pipeline::Pipeline(const std::vector<Variant>& variants, const Look&
     if (wording.brief_labels) variant.label = brief(variant.label);
     panels.push_back(std::make_unique<Panel>(window, paper, variant, i, look, view, layout, colours, finest));
   }
-  if (look.show_bar) bar.emplace(paper, layout.around, quantity, ColourMap(look.colour_map), colours.ink);
+  if (look.show_bar) bar.emplace(paper, layout.around, quantity, ColourMap(look.colour_map), colours.foreground);
   words->place(paper, layout.around, view.foreshortening(),
-               arrow_font(layout.panels.front().view.width, layout.around.font), colours.ink);
+               arrow_font(layout.panels.front().view.width, layout.around.font), colours.foreground);
   strip.place(paper, layout.around, colours);
 }
 

@@ -36,7 +36,7 @@ Panel::Panel(vtkRenderWindow* window, vtkRenderer* words, const Variant& variant
     confine(renderer, box, look);
     window->AddRenderer(renderer);
   }
-  set_background(tank_, look, colours.paper);
+  set_background(tank_, look, colours.background);
   veil_->SetLayer(1);
   veil_->SetDraw(false);
   Layout inside = layout.around;
@@ -56,15 +56,15 @@ void Panel::place_label(const Variant& variant, std::size_t number, const Palett
   const double y = middle(at), indent = (sample_width + after_sample) * font_;
   words_.line({{at.x, y}, {at.x + sample_width * font_, y}}, 1.6 * curve_width * font_, colours.runs[number]);
   const std::string label = shortened(variant.label, (at.width - indent) / font_ + 0.01);
-  words_.text(label, at.x + indent, y, font_, Align::left, colours.ink);
+  words_.text(label, at.x + indent, y, font_, Align::left, colours.foreground);
   if (boxes_.note.width > 0)
-    note_ = words_.text("", boxes_.note.right(), middle(boxes_.note), font_, Align::right, colours.ink);
+    note_ = words_.text("", boxes_.note.right(), middle(boxes_.note), font_, Align::right, colours.foreground);
 }
 
 // Lines at the top of the panel, above what liquid there is, on paper; parts that have no room are left out.
 void Panel::place_message(const Variant& variant, const Palette& colours) {
   const Box& box = boxes_.view;
-  Overlay(veil_, veiled).box({0, 0, box.width, box.height}, colours.paper);
+  Overlay(veil_, veiled).box({0, 0, box.width, box.height}, colours.background);
   const double line = 1.3 * font_, room = widest_message * box.width / font_ - 2 * message_pad;
   std::vector<std::string> lines;
   for (const std::string& part : variant.message) {
@@ -79,10 +79,10 @@ void Panel::place_message(const Variant& variant, const Palette& colours) {
   const double width = (widest + 2 * message_pad) * font_, height = count * line + message_pad * font_;
   Overlay paper(veil_);
   const double top = box.height - std::min(message_pad * font_, box.height - height);
-  paper.box({(box.width - width) / 2, top - height, width, height}, colours.paper);
+  paper.box({(box.width - width) / 2, top - height, width, height}, colours.background);
   double y = top - (height - (count - 1) * line) / 2;
   for (const std::string& words : lines) {
-    paper.text(words, box.width / 2, y, font_, Align::centre, colours.ink);
+    paper.text(words, box.width / 2, y, font_, Align::centre, colours.foreground);
     y -= line;
   }
 }

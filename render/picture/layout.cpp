@@ -88,7 +88,7 @@ constexpr double least_share = 0.55;  // that curves must leave of the tank's si
 
 Layout lay_out(const Needs& needs) {
   const double f = font_height(needs), strip = curve_strip(needs, f), pad = layout_pad * f;
-  const Layout alone = lay_out_above(needs, 0);
+  Layout alone = lay_out_above(needs, 0);
   if (strip == 0) return alone;
   Layout out = lay_out_above(needs, strip);
   if (out.scale < least_share * alone.scale) return alone;

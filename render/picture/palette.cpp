@@ -15,16 +15,16 @@ std::array<Rgb, 9> run_colours(Rgb seventh, Rgb eighth, Rgb ninth) {
 
 Palette palette(Background background) {
   if (background == Background::black)
-    return {.paper = {0, 0, 0},
-            .ink = {232, 232, 232},
+    return {.background = {0, 0, 0},
+            .foreground = {232, 232, 232},
             .outline = {214, 214, 214},
             .shade = {30, 31, 33},
             .grid = {52, 53, 56},
             .curve = line_colours[4],
             .references = {{{255, 255, 255}, line_colours[3], line_colours[2]}},
             .runs = run_colours({240, 228, 66}, {255, 190, 200}, {150, 75, 0})};
-  return {.paper = {255, 255, 255},
-          .ink = {34, 34, 34},
+  return {.background = {255, 255, 255},
+          .foreground = {34, 34, 34},
           .outline = {64, 64, 64},
           .shade = {240, 241, 243},
           .grid = {222, 224, 227},

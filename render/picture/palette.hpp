@@ -12,7 +12,7 @@ constexpr std::array<Rgb, 6> line_colours{
 
 /// A picture's colours but for its colour map.
 struct Palette {
-  Rgb paper, ink, outline, shade;
+  Rgb background, foreground, outline, shade;
   Rgb grid, curve;                ///< of the curves under the picture
   std::array<Rgb, 3> references;  ///< of the series beside them, in turn
   std::array<Rgb, 9> runs;        ///< of the curves of several runs

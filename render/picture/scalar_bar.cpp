@@ -22,8 +22,9 @@ std::string beyond(const char* what, double value, double excess, Range range) {
 
 }  // namespace
 
-ScalarBar::ScalarBar(vtkRenderer* renderer, const Layout& layout, Quantity quantity, const ColourMap& map, Rgb ink)
-    : overlay_(renderer), layout_(layout), quantity_(quantity), map_(map), ink_(ink) {}
+ScalarBar::ScalarBar(vtkRenderer* renderer, const Layout& layout, Quantity quantity, const ColourMap& map,
+                     Rgb foreground)
+    : overlay_(renderer), layout_(layout), quantity_(quantity), map_(map), foreground_(foreground) {}
 
 double ScalarBar::label_width(Quantity quantity, Range range) {
   double width = 0;
@@ -54,16 +55,16 @@ void ScalarBar::draw_ticks() {
   const double f = layout_.font, half = layout_.line / 2;
   const double side = layout_.bar_upright ? layout_.bar.width : layout_.bar.height;
   const auto words = [&](const std::string& text, std::array<double, 2> place, Align align) {
-    return overlay_.text(text, place[0], place[1], label_font * f, align, ink_);
+    return overlay_.text(text, place[0], place[1], label_font * f, align, foreground_);
   };
   const Axis axis = axis_of(*range_);
   for (const Tick& tick : axis.ticks) {
     const double along = axis.along(tick.position);
     const auto [x, y] = at(along, side);
     if (layout_.bar_upright)
-      overlay_.box({x, y - half, 0.3 * f, 2 * half}, ink_);
+      overlay_.box({x, y - half, 0.3 * f, 2 * half}, foreground_);
     else
-      overlay_.box({x - half, y - 0.3 * f, 2 * half, 0.3 * f}, ink_);
+      overlay_.box({x - half, y - 0.3 * f, 2 * half, 0.3 * f}, foreground_);
     if (layout_.bar_upright)
       words(tick.label, at(along, side + 0.55 * f), Align::left);
     else
@@ -83,9 +84,9 @@ void ScalarBar::draw_title() {
   const Box& bar = layout_.bar;
   const double f = layout_.font;
   if (layout_.bar_upright)
-    overlay_.text(title_of(quantity_), bar.x, bar.top() + 2.5 * f, f, Align::left, ink_);
+    overlay_.text(title_of(quantity_), bar.x, bar.top() + 2.5 * f, f, Align::left, foreground_);
   else
-    overlay_.text(title_of(quantity_), bar.x + bar.width / 2, bar.top() + 0.9 * f, f, Align::centre, ink_);
+    overlay_.text(title_of(quantity_), bar.x + bar.width / 2, bar.top() + 0.9 * f, f, Align::centre, foreground_);
 }
 
 void ScalarBar::draw_classes() {
@@ -96,7 +97,8 @@ void ScalarBar::draw_classes() {
     const double low = static_cast<double>(k) / parts, high = static_cast<double>(k + 1) / parts;
     overlay_.polygon({at(low, 0), at(low, thick), at(high, thick), at(high, 0)}, classes[k].colour);
     const auto [x, y] = at((low + high) / 2, thick + (layout_.bar_upright ? 0.55 : 0.95) * f);
-    overlay_.text(classes[k].name, x, y, label_font * f, layout_.bar_upright ? Align::left : Align::centre, ink_);
+    overlay_.text(classes[k].name, x, y, label_font * f, layout_.bar_upright ? Align::left : Align::centre,
+                  foreground_);
   }
 }
 

@@ -11,7 +11,7 @@ namespace seiche::render {
 /// values beyond it. How far a frame goes beyond is written beside them. Classes are blocks, each with its name.
 class ScalarBar {
  public:
-  ScalarBar(vtkRenderer* renderer, const Layout& layout, Quantity quantity, const ColourMap& map, Rgb ink);
+  ScalarBar(vtkRenderer* renderer, const Layout& layout, Quantity quantity, const ColourMap& map, Rgb foreground);
 
   /// `found`: least and greatest value of the frame.
   void show(Range range, Range found);
@@ -31,7 +31,7 @@ class ScalarBar {
   Layout layout_;
   Quantity quantity_;
   ColourMap map_;
-  Rgb ink_;
+  Rgb foreground_;
   std::optional<Range> range_;
   vtkTextActor *below_ = nullptr, *above_ = nullptr;  // owned by overlay_; null with classes
 };

@@ -74,10 +74,10 @@ bool prepare(const Start& start) {
 }
 
 // Says what went wrong in the pipe, which exec closes.
-[[noreturn]] void become(const Start& start, int trouble) {
+[[noreturn]] void become(const Start& start, int report) {
   if (prepare(start)) execvpe(start.program, start.words.data(), start.environment.data());
   const int error = errno;
-  [[maybe_unused]] const ssize_t told = write(trouble, &error, sizeof error);
+  [[maybe_unused]] const ssize_t written = write(report, &error, sizeof error);
   _exit(127);
 }
 
@@ -113,15 +113,15 @@ Process::Process(const Command& command) {
   for (const auto& [number, ours] : command.files)
     start.files.emplace_back(number, copies.emplace_back(out_of_the_way(ours, command.files)).number());
   Pipe pipe = make_pipe();
-  Descriptor trouble = out_of_the_way(pipe.write.number(), command.files);
+  Descriptor report = out_of_the_way(pipe.write.number(), command.files);
   pipe.write.reset();
   {
     const BlockedSignals blocked;
     process_ = fork();
     if (process_ < 0) throw std::system_error(errno, std::generic_category(), program);
-    if (process_ == 0) become(start, trouble.number());
+    if (process_ == 0) become(start, report.number());
   }
-  trouble.reset();
+  report.reset();
   if (const int error = error_in(pipe.read.number())) {
     wait();
     throw std::system_error(error, std::generic_category(), program);

@@ -55,7 +55,7 @@ bool Annotations::keyed_arrow() const {
   return look_.show_arrows && marks_width() + between + arrow_width() <= room;
 }
 
-void Annotations::claim(Needs& needs, double foreshortened) const {
+void Annotations::reserve(Needs& needs, double foreshortened) const {
   if (look_.show_caption) needs.caption = text_width(caption_);
   if (look_.show_clock) needs.clock = text_width(clock_text(std::max(run_.end, 1.0)));
   needs.key = marks_width();
@@ -66,32 +66,33 @@ void Annotations::claim(Needs& needs, double foreshortened) const {
   }
 }
 
-void Annotations::place(vtkRenderer* renderer, const Layout& layout, double foreshortened, double arrow_font, Rgb ink) {
+void Annotations::place(vtkRenderer* renderer, const Layout& layout, double foreshortened, double arrow_font,
+                        Rgb foreground) {
   overlay_.emplace(renderer);
   if (look_.show_caption) {
     const std::string words = shortened(caption_, layout.caption.width / layout.font + 0.01);
-    overlay_->text(words, layout.caption.x, middle(layout.caption), layout.font, Align::left, ink);
+    overlay_->text(words, layout.caption.x, middle(layout.caption), layout.font, Align::left, foreground);
   }
   if (look_.show_clock)
-    clock_ = overlay_->text("", layout.clock.right(), middle(layout.clock), layout.font, Align::right, ink);
-  if (look_.show_ruler) place_ruler(layout, foreshortened, ink);
-  place_key(layout, arrow_font, ink);
+    clock_ = overlay_->text("", layout.clock.right(), middle(layout.clock), layout.font, Align::right, foreground);
+  if (look_.show_ruler) place_ruler(layout, foreshortened, foreground);
+  place_key(layout, arrow_font, foreground);
 }
 
-void Annotations::place_ruler(const Layout& layout, double foreshortened, Rgb ink) {
+void Annotations::place_ruler(const Layout& layout, double foreshortened, Rgb foreground) {
   const double x = layout.ruler.x, y = middle(layout.ruler), font = layout.font, line = layout.line;
   const double length = ruler_ * foreshortened * layout.scale;
-  overlay_->box({x, y - line / 2, length, line}, ink);
-  overlay_->box({x, y - 0.3 * font, line, 0.6 * font}, ink);
-  overlay_->box({x + length - line, y - 0.3 * font, line, 0.6 * font}, ink);
-  overlay_->text(metres(ruler_), x + length + 0.6 * font, y, font, Align::left, ink);
+  overlay_->box({x, y - line / 2, length, line}, foreground);
+  overlay_->box({x, y - 0.3 * font, line, 0.6 * font}, foreground);
+  overlay_->box({x + length - line, y - 0.3 * font, line, 0.6 * font}, foreground);
+  overlay_->text(metres(ruler_), x + length + 0.6 * font, y, font, Align::left, foreground);
 }
 
-void Annotations::place_key(const Layout& layout, double arrow_font, Rgb ink) {
+void Annotations::place_key(const Layout& layout, double arrow_font, Rgb foreground) {
   double x = layout.key.x;
   const double y = middle(layout.key), font = layout.font, radius = 0.32 * font;
   const auto entry = [&](const char* words) {
-    overlay_->text(words, x + mark * font, y, font, Align::left, ink);
+    overlay_->text(words, x + mark * font, y, font, Align::left, foreground);
     x += (mark + text_width(words) + between) * font;
   };
   if (keyed_arrow()) {
@@ -99,8 +100,8 @@ void Annotations::place_key(const Layout& layout, double arrow_font, Rgb ink) {
     const double length = scale.length * scale.reference * arrow_font, room = scale.length * scale.reference * font;
     const ArrowShape arrow = placed(arrow_shape(length, arrow_font), {x + room - length / 2, y}, {1, 0});
     for (const Line& halo : {arrow.shaft_halo, arrow.head_halo}) overlay_->polygon(halo, Arrows::halo);
-    for (const Line& dark : {arrow.shaft, arrow.head}) overlay_->polygon(dark, Arrows::ink);
-    overlay_->text(speed_text(scale.reference), x + room + after_arrow * font, y, font, Align::left, ink);
+    for (const Line& dark : {arrow.shaft, arrow.head}) overlay_->polygon(dark, Arrows::foreground);
+    overlay_->text(speed_text(scale.reference), x + room + after_arrow * font, y, font, Align::left, foreground);
     x += (arrow_width() + between) * font;
   }
   const SurfaceMark sign = surface_mark(look_);

@@ -18,10 +18,10 @@ class Annotations {
       : run_(run), look_(look), caption_(std::move(caption)), ruler_(ruler) {}
 
   /// Fills in what they take up. The ruler's edge of the tank is seen `foreshortened` times its length.
-  void claim(Needs& needs, double foreshortened) const;
+  void reserve(Needs& needs, double foreshortened) const;
 
   /// @param arrow_font of the arrow in the key, as of those in the picture [pixels]
-  void place(vtkRenderer* renderer, const Layout& layout, double foreshortened, double arrow_font, Rgb ink);
+  void place(vtkRenderer* renderer, const Layout& layout, double foreshortened, double arrow_font, Rgb foreground);
   void set_time(double seconds);
 
  private:
@@ -29,8 +29,8 @@ class Annotations {
   bool keyed_arrow() const;
   double marks_width() const;  // in the key, in font heights
   double arrow_width() const;
-  void place_ruler(const Layout& layout, double foreshortened, Rgb ink);
-  void place_key(const Layout& layout, double arrow_font, Rgb ink);
+  void place_ruler(const Layout& layout, double foreshortened, Rgb foreground);
+  void place_key(const Layout& layout, double arrow_font, Rgb foreground);
 
   RunInfo run_;
   Look look_;

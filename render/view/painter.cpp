@@ -45,12 +45,12 @@ Painter::Pipeline::Pipeline(const RunInfo& run, const Look& look, const std::vec
   words.emplace(run, look, caption_of(run), round_below(0.25 * view.width()));
 
   Needs needs{.width = look.width, .height = look.height, .view_width = view.width(), .view_height = view.height()};
-  words->claim(needs, view.foreshortening());
+  words->reserve(needs, view.foreshortening());
   if (look.show_bar) {
     needs.bar_labels = ScalarBar::label_width(quantity, fixed_range(run, look).value_or(scene_range(run, quantity)));
     needs.bar_title = text_width(title_of(quantity));
   }
-  strip.claim(needs);
+  strip.reserve(needs);
   const Layout layout = lay_out(needs);
   if (!(layout.scale > 0))
     throw std::invalid_argument(fmt::format("a picture of {} x {} pixels is too small", look.width, look.height));
@@ -58,11 +58,11 @@ Painter::Pipeline::Pipeline(const RunInfo& run, const Look& look, const std::vec
   window = make_window(sharpness * look.width, sharpness * look.height);
   window->SetAlphaBitPlanes(1);
   window->AddRenderer(renderer);
-  set_background(renderer, look, colours.paper);
+  set_background(renderer, look, colours.background);
   view.aim(renderer, layout, look.width, look.height);
   tank.emplace(renderer, run, look, layout, colours, run.spacing);
-  if (look.show_bar) bar.emplace(renderer, layout, quantity, ColourMap(look.colour_map), colours.ink);
-  words->place(renderer, layout, view.foreshortening(), arrow_font(layout.view.width, layout.font), colours.ink);
+  if (look.show_bar) bar.emplace(renderer, layout, quantity, ColourMap(look.colour_map), colours.foreground);
+  words->place(renderer, layout, view.foreshortening(), arrow_font(layout.view.width, layout.font), colours.foreground);
   strip.place(renderer, layout, colours);
 }
 

@@ -46,10 +46,13 @@ Course course_of(const Parameters::Motion& m, const DegreeOfFreedomRow& row) {
 
 Motion::Motion(const Parameters::Motion& m) : pivot_(m.pivot_x, m.pivot_y, 0), impulsive_(m.start == Start::impulsive) {
   for (const DegreeOfFreedomRow& row : degrees_of_freedom) courses_.push_back(course_of(m, row));
-  rotates_ = std::any_of(rotations.begin(), rotations.end(), [&](DegreeOfFreedom f) { return moves(f); });
   if (impulsive_) return;
   const RigidState start = state(0);
   spin_ = start.orientation * start.omega;
+}
+
+bool Motion::rotates() const {
+  return std::any_of(rotations.begin(), rotations.end(), [&](DegreeOfFreedom f) { return moves(f); });
 }
 
 /// With R = R_k ... R_1 the angular velocity in the tank's axes is, taken from the last rotation to the first,
@@ -65,7 +68,7 @@ RigidState Motion::state(double t) const {
     result.velocity[row.axis] = jet.rate;
     result.acceleration[row.axis] = jet.acceleration;
   }
-  if (!rotates_) return result;
+  if (!rotates()) return result;
   for (auto f = rotations.rbegin(); f != rotations.rend(); ++f) {
     if (!moves(*f)) continue;
     const Jet angle = at(*f, t);

@@ -17,7 +17,7 @@ class Motion {
   /// One degree of freedom at t [m; rad of a rotation] with its rate and acceleration.
   Jet at(DegreeOfFreedom f, double t) const { return course(f).at(t); }
   bool moves(DegreeOfFreedom f) const { return course(f).moves(); }
-  bool rotates() const { return rotates_; }
+  bool rotates() const;
 
   RigidState state(double t) const;
 
@@ -42,7 +42,7 @@ class Motion {
 
   std::vector<Course> courses_;  ///< of each degree of freedom
   Eigen::Vector3d pivot_;
-  bool impulsive_, rotates_ = false;
+  bool impulsive_;
   Eigen::Vector3d spin_ = Eigen::Vector3d::Zero();
 };
 

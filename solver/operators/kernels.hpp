@@ -74,8 +74,8 @@ inline std::array<Kernel, std::variant_size_v<Kernel>> kernel_table(double suppo
   return {KF1{support}, KF2{support, kf2_alpha}, KF3{support}, KF4{support}, KF5{support}};
 }
 
-/// The kernel of that name. Throws BadParameters.
-Kernel find_kernel(std::string_view name, double support, double kf2_alpha);
+/// The kernel of the name that is wanted. Throws BadParameters.
+Kernel find_kernel(std::string_view wanted, double support, double kf2_alpha);
 
 inline std::string_view name(const Kernel& kernel) {
   return std::visit([](const auto& w) { return w.name; }, kernel);

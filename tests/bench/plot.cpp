@@ -42,8 +42,9 @@ apps::validate::Chart by_stage(const std::vector<StepCost>& costs, int threads) 
                               "microseconds a particle",
                               {},
                               {render::Scale::decades, render::Scale::decades}};
-  for (const auto& [group, time] : grouped(costs.at(0)))
-    chart.curves.push_back(curve(group, costs, threads, [&](const StepCost& cost) { return grouped(cost).at(group); }));
+  for (const auto& each : grouped(costs.at(0)))
+    chart.curves.push_back(
+        curve(each.first, costs, threads, [&](const StepCost& cost) { return grouped(cost).at(each.first); }));
   chart.curves.push_back(curve(
       "whole", costs, threads, [](const StepCost& cost) { return cost.whole(); }, render::Mark::dashes));
   return chart;

@@ -1,10 +1,10 @@
 // Comparisons of small scenes: what they run, write and say.
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
@@ -109,7 +109,7 @@ TEST(Compare, AComparisonOfOtherRunsIsNotReplacedUnlessAskedTo) {
   EXPECT_EQ(seiche(scratch.folder(), {"compare", quick, "--vary", "method.kernel=KF1,KF4", "-o", "a"}).code, 2);
   EXPECT_TRUE(shown_in(scratch / "a") == before);
   auto asked = others;
-  asked.push_back("--overwrite");
+  asked.emplace_back("--overwrite");
   EXPECT_EQ(seiche(scratch.folder(), asked).code, 0);
   EXPECT_FALSE(shown_in(scratch / "a") == before);
   EXPECT_EQ(seiche(scratch.folder(), others).code, 0) << "now it is the same";

@@ -41,7 +41,7 @@ bool Program::wait_for(const std::string& text) {
     read_ += line;
     found = std::string(line).find(text) != std::string::npos;
   }
-  std::free(line);
+  std::free(line);  // NOLINT(cppcoreguidelines-no-malloc): getline's
   return found;
 }
 

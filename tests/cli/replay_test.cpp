@@ -14,10 +14,11 @@ namespace fs = std::filesystem;
 namespace seiche::test {
 namespace {
 
+const std::string quick = SEICHE_SCENES "/quick.toml";
+
 // The quick scene with small pictures.
 std::vector<std::string> run_until(const std::string& end, std::vector<std::string> more = {}) {
-  std::vector<std::string> all{"run",   SEICHE_SCENES "/quick.toml", "--end", end, "--threads", "2",
-                               "--set", "output.size=320x240"};
+  std::vector<std::string> all{"run", quick, "--end", end, "--threads", "2", "--set", "output.size=320x240"};
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }
@@ -116,7 +117,7 @@ TEST_F(Replay, BadInputIsRefusedInOneSentenceAndNothingIsWritten) {
   run(run_until("0.04"));
   fs::create_directories(scratch / "empty");
   write_text(scratch / "half/run.json", "{\"seiche\": \"0.1");
-  const auto error_of = [&](std::vector<std::string> arguments) {
+  const auto error_of = [&](const std::vector<std::string>& arguments) {
     const Result result = seiche(scratch.folder(), arguments);
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "");

@@ -15,9 +15,10 @@ namespace fs = std::filesystem;
 namespace seiche::test {
 namespace {
 
+const std::string quick = SEICHE_SCENES "/quick.toml";
+
 // Twenty seconds of the quick scene with small pictures; every 5 % are 1 s and 25 frames.
-const std::vector<std::string> long_run{"run",   SEICHE_SCENES "/quick.toml", "--end", "20",
-                                        "--set", "output.size=160x120"};
+const std::vector<std::string> long_run{"run", quick, "--end", "20", "--set", "output.size=160x120"};
 
 nlohmann::json report_in(const fs::path& folder) {
   return nlohmann::json::parse(read_file(folder / "out/quick/run.json"));

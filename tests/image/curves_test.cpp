@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "render/curves/curve_choice.hpp"
 #include "render/picture/range.hpp"
 #include "tests/image/baseline.hpp"
 #include "tests/unit/render/synthetic_curves.hpp"
@@ -27,7 +28,7 @@ TEST(CurvesBaseline, ThreeByThemselves) { test::expect_baseline("curves-large", 
 
 TEST(CurvesBaseline, TwoWithAReference) {
   Look look = sized(640, 480);
-  look.curves = "eta_left, p_left_bottom";
+  look.curves = parse_curves("eta_left, p_left_bottom");
   look.references = {test::reference()};
   test::expect_baseline("curves-small", draw(look));
 }
@@ -35,7 +36,7 @@ TEST(CurvesBaseline, TwoWithAReference) {
 TEST(CurvesBaseline, OneWithTwoReferencesOnBlack) {
   Look look = sized(640, 360);
   look.background = Background::black;
-  look.curves = "eta_left";
+  look.curves = parse_curves("eta_left");
   look.references = {test::reference(), test::reference(0.7)};
   look.references.back().label = "linear theory";
   test::expect_baseline("curves-black", draw(look, 8.5));
@@ -44,6 +45,6 @@ TEST(CurvesBaseline, OneWithTwoReferencesOnBlack) {
 TEST(CurvesBaseline, Transparent) {
   Look look = sized(1280, 720);
   look.background = Background::transparent;
-  look.curves = "eta_right, surge";
+  look.curves = parse_curves("eta_right, surge");
   test::expect_baseline("curves-transparent", draw(look, 3.8));
 }

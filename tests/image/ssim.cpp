@@ -14,7 +14,7 @@ double window(const render::Image& a, const render::Image& b, int x0, int y0, in
   double sum_a = 0, sum_b = 0, sum_aa = 0, sum_bb = 0, sum_ab = 0;
   for (int y = y0; y < y0 + side; ++y)
     for (int x = x0; x < x0 + side; ++x) {
-      const auto at = static_cast<std::size_t>(4 * (y * a.width + x) + channel);
+      const auto at = 4 * static_cast<std::size_t>(y * a.width + x) + static_cast<std::size_t>(channel);
       const double p = a.rgba[at], q = b.rgba[at];
       sum_a += p;
       sum_b += q;
@@ -38,14 +38,17 @@ Similarity similarity(const render::Image& a, const render::Image& b) {
     int count = 0;
     double value() const { return count ? sum / count : 1; }
   };
-  const int across = a.width / tile + 1;
-  std::vector<Mean> tiles(static_cast<std::size_t>(across * (a.height / tile + 1)));
+  const auto across = static_cast<std::size_t>(a.width / tile + 1);
+  std::vector<Mean> tiles(across * static_cast<std::size_t>(a.height / tile + 1));
+  const auto tile_at = [&](int x, int y) {
+    return static_cast<std::size_t>(y / tile) * across + static_cast<std::size_t>(x / tile);
+  };
   Mean all;
   for (int y = 0; y + side <= a.height; y += step)
     for (int x = 0; x + side <= a.width; x += step) {
       double least = 1;
       for (int channel = 0; channel < 4; ++channel) least = std::min(least, window(a, b, x, y, channel));
-      for (Mean* mean : {&all, &tiles[static_cast<std::size_t>(y / tile * across + x / tile)]}) {
+      for (Mean* mean : {&all, &tiles[tile_at(x, y)]}) {
         mean->sum += least;
         ++mean->count;
       }

@@ -16,10 +16,11 @@ namespace {
 
 constexpr int right_arrow = 39, space_bar = 32;
 
+const std::string quick = SEICHE_SCENES "/quick.toml";
+
 // The quick scene, shorter, in a folder of its own; returns that.
 fs::path short_run(const Scratch& scratch, const std::string& name, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> words{
-      "run", SEICHE_SCENES "/quick.toml", "--end", "0.48", "--set", "output.size=640x480", "-o", name, "--quiet"};
+  std::vector<std::string> words{"run", quick, "--end", "0.48", "--set", "output.size=640x480", "-o", name, "--quiet"};
   words.insert(words.end(), more.begin(), more.end());
   seiche(scratch.folder(), words);
   return scratch / name;

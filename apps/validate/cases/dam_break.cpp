@@ -33,7 +33,7 @@ Findings dam_break(Bench& bench) {
     run.y.push_back(front(frame, info.spacing) / column);
   };
   std::vector<std::string> settings{"time.end=0.3", "output.frame_rate=500"};
-  if (bench.quick()) settings.push_back("particles.spacing=0.005715");
+  if (bench.quick()) settings.emplace_back("particles.spacing=0.005715");
   bench.run("dam-break", settings, look);
 
   Series data = bench.reference("dambreak_martin_moyce1952_a2.25in_front", "t_sqrt_2g_over_a", "z_over_a");

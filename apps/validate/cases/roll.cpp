@@ -10,7 +10,7 @@ namespace seiche::apps::validate {
 // of them, and of half the scatter of a surface made of particles.
 Findings roll(Bench& bench) {
   std::vector<std::string> settings{"output.frame_rate=20"};
-  if (bench.quick()) settings.push_back("particles.spacing=0.01");
+  if (bench.quick()) settings.emplace_back("particles.spacing=0.01");
   const Recording run = bench.run("roll", settings);
   Series half = run.sensors.at("eta_left");
   const Series& right = run.sensors.at("eta_right");

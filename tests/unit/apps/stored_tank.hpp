@@ -45,8 +45,8 @@ class StoredTank {
 
   /// How it ended.
   void close(Ending::Status status = Ending::Status::finished) {
-    const std::string trouble = outputs_.end();
-    if (!trouble.empty()) throw std::runtime_error(trouble);
+    const std::string error = outputs_.end();
+    if (!error.empty()) throw std::runtime_error(error);
     record_.ending = Ending{status, {}, "", frames_, 0.02 * static_cast<double>(frames_ - 1)};
     write_run_json(folder_.record(), scene_, record_);
   }

@@ -108,7 +108,7 @@ TEST(CheckParameters, WantsASeriesThatIsWholeAndAsLongAsTheRun) {
   p.time.end = 3;
   p.motion = {.type = MotionType::file, .series = rolling({0, 1, 2, 3}, {0, 1, 0, 1})};
   EXPECT_NO_THROW(check_parameters(p));
-  const auto refused = [&](Parameters::TimeSeries series, double end) {
+  const auto refused = [&](const Parameters::TimeSeries& series, double end) {
     Parameters bad = p;
     bad.motion.series = series;
     bad.time.end = end;

@@ -8,6 +8,7 @@
 #include "apps/compare/runs.hpp"
 #include "apps/run/probes_csv.hpp"
 #include "apps/run/run_info.hpp"
+#include "render/curves/curve_choice.hpp"
 #include "render/outputs.hpp"
 #include "render/panels/compared_curves.hpp"
 #include "tests/facts.hpp"
@@ -140,7 +141,7 @@ TEST(Compared, ItsCurvesAtTheMarkEqualTheCsv) {
   const Scratch scratch;
   const ComparedRun run = stored(scratch);
   render::Look look;
-  look.curves = "eta_left, force_x";
+  look.curves = render::parse_curves("eta_left, force_x");
   auto curves = render::compared_curves({variant_of(run, 0.04)}, look);
   for (auto& curve : curves) render::record(curve, run.readings);
   render::settle(curves);

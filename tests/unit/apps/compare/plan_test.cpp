@@ -28,7 +28,7 @@ std::vector<PlannedRun> plan_of(const Scratch& scratch, const std::vector<std::s
 // As `seiche run` leaves it, but for the particles.
 void store(const PlannedRun& run, Ending::Status status = Ending::Status::finished) {
   RunRecord record;
-  record.ending = Ending{.status = status, .failure = {}, .trouble = "", .frames = 1, .time = 1, .waited = 0};
+  record.ending = Ending{.status = status, .failure = {}, .error = "", .frames = 1, .time = 1, .waited = 0};
   write_run_json(run.folder / "run.json", run.scene, record);
   write_text(run.folder / "x.vtu.series", R"({"files": [{"name": "vtu/x_000000.vtu", "time": 0}]})");
 }

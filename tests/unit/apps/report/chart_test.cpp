@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "render/curves/curve_choice.hpp"
 #include "render/curves/running_mean.hpp"
 #include "tests/unit/apps/report/synthetic.hpp"
 
@@ -31,9 +32,9 @@ TEST(ReportCharts, AreThoseUnderThePictures) {
 
 TEST(ReportCharts, AreTheUsualOnesWhereThePicturesHaveNone) {
   ReportRun run = test::report_run("a", 1);
-  run.run.scene.look.curves = "none";
+  run.run.scene.look.curves.emplace();
   EXPECT_EQ(charts_of({"tank", {run}, {}, {}}).size(), 3u);
-  run.run.scene.look.curves = "eta_right";
+  run.run.scene.look.curves = render::parse_curves("eta_right");
   const auto charts = charts_of({"tank", {run}, {}, {}});
   ASSERT_EQ(charts.size(), 1u);
   EXPECT_EQ(charts[0].column.name, "eta_right");
@@ -45,7 +46,7 @@ TEST(ReportCharts, ShowWhatAllRunsHaveOnce) {
   EXPECT_EQ(chart_named(charts, "eta_left").traces.size(), 2u);
   const Chart surge = chart_named(charts, "surge");
   ASSERT_EQ(surge.traces.size(), 1u) << "though the second run ended sooner";
-  EXPECT_EQ(line_style(surge.traces[0]), "all");
+  EXPECT_EQ(line_style(surge.traces[0]).name, "all");
 }
 
 TEST(ReportCharts, PressuresOfSeveralRunsAreTheMeansOfTheirPictures) {

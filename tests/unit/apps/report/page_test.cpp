@@ -41,9 +41,9 @@ TEST(ReportPage, SaysHowEachRunEnded) {
   ReportRun stopped = test::failed_run("b", 0.229, "61 of 1200 fluid particles leaked");
   ReportRun other = test::failed_run("c", 0.3, ""), fast = test::failed_run("f", 0.4, "the speed is beyond the limit");
   other.run.record.ending->failure.reset();
-  other.run.record.ending->trouble = "can't write x.vtu: No space left on device";
+  other.run.record.ending->error = "can't write x.vtu: No space left on device";
   fast.run.record.ending->failure->place = Failure::Particle{Kind::fluid, 550, {0.1, 0.25}};
-  fast.run.record.ending->trouble = "ffmpeg was killed";
+  fast.run.record.ending->error = "ffmpeg was killed";
   ReportRun interrupted = test::report_run("d", 0.5), going = test::report_run("e", 0.7);
   interrupted.run.record.ending->status = Ending::Status::interrupted;
   going.run.record.ending.reset();
@@ -196,7 +196,7 @@ TEST(ReportPage, HasRoomForManyStills) {
 
 TEST(EvenStills, AreSpacedEvenlyWithBothEnds) {
   std::vector<fs::path> pictures;
-  for (int i = 0; i <= 100; ++i) pictures.push_back(fmt::format("frames/{:06}.png", i));
+  for (int i = 0; i <= 100; ++i) pictures.emplace_back(fmt::format("frames/{:06}.png", i));
   const auto stills = even_stills(pictures, 0.02, 1.995, 5);
   ASSERT_EQ(stills.size(), 5u);
   EXPECT_EQ(stills[0].file, pictures[0]);

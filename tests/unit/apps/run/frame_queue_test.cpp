@@ -78,7 +78,7 @@ TEST_F(FrameQueueTest, KeepsTheOrderAndEndsOnce) {
   ASSERT_TRUE(queue.ended_within(long_enough));
   EXPECT_EQ(log.frames, up_to(100));
   EXPECT_EQ(queue.taken(), 100);
-  EXPECT_EQ(queue.trouble(), "");
+  EXPECT_EQ(queue.error(), "");
   EXPECT_EQ(log.begins, 1);
   EXPECT_EQ(log.ends, 1);
 }
@@ -130,7 +130,7 @@ TEST_F(FrameQueueTest, AFailureLetsAWaitingProducerGoAndDropsWhatWaits) {
   push(queue, 0, 50);
   ASSERT_TRUE(queue.ended_within(long_enough)) << "without a close()";
   EXPECT_TRUE(queue.failed());
-  EXPECT_EQ(queue.trouble(), "the disk is full");
+  EXPECT_EQ(queue.error(), "the disk is full");
   EXPECT_EQ(queue.taken(), 2);
   EXPECT_EQ(queue.waiting(), 0u);
   EXPECT_EQ(log.frames, up_to(2));
@@ -142,7 +142,7 @@ TEST_F(FrameQueueTest, AFailureToBeginTakesNoFrame) {
   FrameQueue queue(outputs, run);
   push(queue, 0, 50);
   ASSERT_TRUE(queue.ended_within(long_enough));
-  EXPECT_EQ(queue.trouble(), "no OpenGL");
+  EXPECT_EQ(queue.error(), "no OpenGL");
   EXPECT_EQ(queue.taken(), 0);
   EXPECT_TRUE(log.frames.empty());
   EXPECT_EQ(log.ends, 0) << "it never began";
@@ -154,7 +154,7 @@ TEST_F(FrameQueueTest, AFailureToEndIsTold) {
   push(queue, 0, 2);
   queue.close();
   ASSERT_TRUE(queue.ended_within(long_enough));
-  EXPECT_EQ(queue.trouble(), "ffmpeg was killed");
+  EXPECT_EQ(queue.error(), "ffmpeg was killed");
   EXPECT_EQ(queue.taken(), 2);
 }
 

@@ -67,7 +67,7 @@ struct LoopTest : testing::Test {
     run.end = 1;
   }
   Ending go(
-      Simulation& simulation, std::function<bool()> stop = [] { return false; }) {
+      Simulation& simulation, const std::function<bool()>& stop = [] { return false; }) {
     Progress progress(Progress::Style::none);
     return run_loop(simulation, outputs, run, progress, stop);
   }
@@ -112,7 +112,7 @@ TEST_F(LoopTest, AFailureKeepsTheFramesBeforeItAndTheStateThatItBrokeOffIn) {
   EXPECT_EQ(ending.status, Ending::Status::failed);
   ASSERT_TRUE(ending.failure);
   EXPECT_EQ(ending.failure->cause, "it blew up");
-  EXPECT_EQ(ending.trouble, "");
+  EXPECT_EQ(ending.error, "");
   EXPECT_EQ(ending.frames, 6);
   ASSERT_EQ(log.times.size(), 6u);
   EXPECT_EQ(log.times[4], 0.4);
@@ -159,7 +159,7 @@ TEST_F(LoopTest, OneOutputsFailureEndsTheRunAndAllOutputs) {
   const Ending ending = go(simulation);
   EXPECT_EQ(ending.status, Ending::Status::failed);
   EXPECT_FALSE(ending.failure);
-  EXPECT_EQ(ending.trouble, "the disk is full");
+  EXPECT_EQ(ending.error, "the disk is full");
   EXPECT_EQ(ending.frames, 3);
   EXPECT_EQ(log.ends, 1);
   EXPECT_EQ(other.ends, 1);
@@ -172,7 +172,7 @@ TEST_F(LoopTest, AnOutputsFailureEndsARunOfAnyLength) {
   const Ending ending = go(simulation);
   EXPECT_EQ(ending.status, Ending::Status::failed);
   EXPECT_FALSE(ending.failure);
-  EXPECT_EQ(ending.trouble, "the disk is full");
+  EXPECT_EQ(ending.error, "the disk is full");
   EXPECT_EQ(log.ends, 1);
 }
 

@@ -33,7 +33,7 @@ TEST(RunJson, TellsHowARunEnded) {
   EXPECT_EQ(json["run"],
             (nlohmann::json{{"status", "failed"},
                             {"failure", {{"time_s", 0.24}, {"step", 36}, {"cause", "it blew up"}, {"detail", "much"}}},
-                            {"trouble", "the disk is full"},
+                            {"error", "the disk is full"},
                             {"frames", 7},
                             {"time_s", 0.25}}));
   EXPECT_EQ(json["scene"]["name"], "b");

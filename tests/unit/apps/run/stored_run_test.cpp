@@ -88,7 +88,7 @@ TEST_F(StoredRunTest, KnowsHowTheRunEnded) {
   EXPECT_EQ(why.place->id, 12u);
   EXPECT_TRUE(std::isnan(why.place->position.at(0)));
   EXPECT_EQ(why.place->position.at(1), 0.123456789);
-  EXPECT_EQ(run.record.ending->trouble, "ffmpeg was killed");
+  EXPECT_EQ(run.record.ending->error, "ffmpeg was killed");
   EXPECT_EQ(run.record.ending->time, 0.25);
   EXPECT_EQ(run.record.statistics.steps, 40);
   EXPECT_EQ(run.record.statistics.leaked, 2);

@@ -65,10 +65,12 @@ void expect_known(const toml::table& table, const json& schema, const std::strin
   for (const auto& [key, node] : table) {
     const std::string name(key.str());
     ASSERT_TRUE(schema.at("properties").contains(name)) << where << ": " << name;
+    std::string place = where;
+    place.append(": ").append(name);
     const json& known = schema.at("properties").at(name);
-    if (const toml::table* section = node.as_table()) expect_known(*section, known, where + ": " + name);
+    if (const toml::table* section = node.as_table()) expect_known(*section, known, place);
     if (const toml::array* rows = node.as_array())
-      for (const toml::node& row : *rows) expect_known(*row.as_table(), known.at("items"), where + ": " + name);
+      for (const toml::node& row : *rows) expect_known(*row.as_table(), known.at("items"), place);
   }
 }
 

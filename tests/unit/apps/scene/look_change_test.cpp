@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/scene/scene_file.hpp"
+#include "render/curves.hpp"
 #include "render/picture.hpp"
 #include "tests/facts.hpp"
 #include "tests/unit/apps/files.hpp"
@@ -28,7 +29,7 @@ TEST(LookChange, ChangesHowARunLooks) {
   EXPECT_EQ(scene.look.colour_map, render::ColourMapName::turbo);
   EXPECT_EQ(scene.look.width, 640);
   EXPECT_FALSE(scene.look.show_walls);
-  EXPECT_EQ(scene.look.curves, "eta_left");
+  EXPECT_EQ(render::text_of(scene.look.curves), "eta_left");
 }
 
 TEST(LookChange, ARangeGoesWithItsQuantity) {

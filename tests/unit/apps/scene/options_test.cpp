@@ -25,7 +25,8 @@ Value other_value(const Option& option) {
     return std::holds_alternative<double>(now) ? Value(range->high) : Value(static_cast<std::int64_t>(range->high));
   }
   if (const auto* choices = std::get_if<Choices>(&option.rule)) return std::string(choices->back());
-  return option.key == "size" ? std::string("800x600") : std::string("0,1");
+  if (option.key == "size") return std::string("800x600");
+  return std::string(option.key == "curves" ? "0" : "0,1");
 }
 
 TEST(Options, EachKeySetsItsOwnMemberAndNoOther) {

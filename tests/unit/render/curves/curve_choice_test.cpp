@@ -14,7 +14,7 @@ const std::vector<Column> sensors{{"p_left_bottom", "Pa", "pressure, left bottom
 
 std::vector<std::size_t> chosen(const std::string& curves, const std::vector<Reference>& references = {}) {
   Look look;
-  look.curves = curves;
+  look.curves = parse_curves(curves);
   look.references = references;
   return chosen_columns(look, sensors);
 }
@@ -48,9 +48,10 @@ TEST(CurveChoice, AutoPrefersWhatHasAReference) {
 }
 
 TEST(CurveChoice, AListThatNoPictureCouldShowIsRefused) {
-  for (const char* bad : {"", "a,", ",a", "a,,b", "a, b, c, d"}) EXPECT_THROW(named_curves(bad), std::invalid_argument);
-  EXPECT_EQ(named_curves("auto"), std::nullopt);
-  EXPECT_EQ(named_curves(" a ,b"), (std::vector<std::string>{"a", "b"}));
+  for (const char* bad : {"", "a,", ",a", "a,,b", "a, b, c, d"}) EXPECT_THROW(parse_curves(bad), std::invalid_argument);
+  EXPECT_EQ(parse_curves("auto"), std::nullopt);
+  EXPECT_EQ(parse_curves(" a ,b"), (std::vector<std::string>{"a", "b"}));
+  for (const char* text : {"auto", "none", "a", "a, b"}) EXPECT_EQ(text_of(parse_curves(text)), text);
 }
 
 TEST(CurveChoice, TitlesHaveUnitsAsWrittenByHand) {

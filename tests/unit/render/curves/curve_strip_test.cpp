@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "render/curves/curve_choice.hpp"
 #include "render/picture/palette.hpp"
 #include "render/picture/range.hpp"
 #include "render/view/painter.hpp"
@@ -19,7 +20,7 @@ Look one_curve() {
   Look look;
   look.width = 640;
   look.height = 360;
-  look.curves = "eta_left";
+  look.curves = parse_curves("eta_left");
   look.colour_map = ColourMapName::turbo;  // has nothing of the curve's blue in the rows below the tank
   return look;
 }
@@ -35,7 +36,7 @@ Spot spot(const Image& image) {
   Spot found;
   for (int y = image.height * 3 / 4; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
-      const auto at = static_cast<std::size_t>(4 * (y * image.width + x));
+      const std::size_t at = 4 * static_cast<std::size_t>(y * image.width + x);
       bool same = true;
       for (std::size_t c = 0; c < 3; ++c) same = same && std::abs(image.rgba[at + c] - colour[c]) < 30;
       if (!same) continue;
@@ -93,7 +94,7 @@ TEST(CurveStrip, AreTheSameWhetherReadingsComeAtOnceOrBitByBit) {
 
 TEST(CurveStrip, NoneLeavesThePictureAsItIsWithoutSensors) {
   Look look = one_curve();
-  look.curves = "none";
+  look.curves.emplace();
   const auto frame = test::lattice(box, 0);
   const RunInfo run = test::run_info(box);
   EXPECT_EQ(draw(look, 0, test::readings(0, 0)).rgba, Painter(run, Look(look)).draw(*frame, scene_range(run)).rgba);
@@ -105,7 +106,7 @@ TEST(CurveStrip, AReferenceIsDrawnForTheWholeRunFromTheFirstFrameOn) {
     int right = 0;
     for (int y = image.height * 3 / 4; y < image.height * 9 / 10; ++y)
       for (int x = image.width / 2; x < image.width; ++x)
-        right += image.rgba[static_cast<std::size_t>(4 * (y * image.width + x))] < 120;
+        right += image.rgba[4 * static_cast<std::size_t>(y * image.width + x)] < 120;
     return right;
   };
   const int without = dark(draw(look, 0, test::readings(0, 0)));

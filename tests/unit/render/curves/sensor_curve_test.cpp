@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "render/curves/curve_choice.hpp"
 #include "tests/unit/render/synthetic_curves.hpp"
 
 using namespace seiche;
@@ -13,7 +14,7 @@ namespace {
 
 SensorCurve curve_of(const std::string& sensor, const std::vector<Reference>& references = {}) {
   Look look;
-  look.curves = sensor;
+  look.curves = parse_curves(sensor);
   look.references = references;
   return sensor_curves(test::run_with_sensors({}), look).at(0);  // 0.2 m of water, 1962 Pa
 }
@@ -58,7 +59,7 @@ TEST(AxisRange, OfAVolumeShowsItsDrift) {
                  {"force_y", "N/m", "force y", ColumnKind::force, Rest::first_value, 117.72},
                  {"potential_energy", "J/m", "potential energy", ColumnKind::energy, Rest::zero, 2.3544}};
   Look look;
-  look.curves = "volume, force_y, potential_energy";
+  look.curves = parse_curves("volume, force_y, potential_energy");
   auto curves = sensor_curves(run, look);
   EXPECT_EQ(curves[0].title, "volume [m\u00b2]");
   const Readings first{{0}, {0.12, -1177.2, 0.1}};

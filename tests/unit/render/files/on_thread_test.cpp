@@ -32,7 +32,7 @@ class Noting : public ImageSink {
     log_.indices.push_back(frame.index);
     log_.first_bytes.push_back(image.rgba.at(0));
   }
-  void end() override { log_.calls.push_back("end"); }
+  void end() override { log_.calls.emplace_back("end"); }
 
  private:
   Log& log_;

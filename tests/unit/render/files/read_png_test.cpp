@@ -12,7 +12,7 @@ using namespace seiche::render;
 
 namespace {
 
-std::string trouble_with(const std::filesystem::path& file) {
+std::string error_with(const std::filesystem::path& file) {
   try {
     read_png(file);
   } catch (const std::runtime_error& error) {
@@ -27,14 +27,14 @@ TEST(ReadPng, SaysWhichFileIsMissingOrDamaged) {
   const test::Scratch scratch;
   const auto file = scratch / "a.png";
   const std::string sentence = file.string() + " can't be read: ";
-  EXPECT_TRUE(trouble_with(file).starts_with(sentence)) << trouble_with(file);
+  EXPECT_TRUE(error_with(file).starts_with(sentence)) << error_with(file);
   std::ofstream(file) << "hello";
-  EXPECT_TRUE(trouble_with(file).starts_with(sentence)) << trouble_with(file);
+  EXPECT_TRUE(error_with(file).starts_with(sentence)) << error_with(file);
 
   Image image{64, 64, {}};
   for (unsigned i = 0; i < 4 * 64 * 64; ++i) image.rgba.push_back(static_cast<std::uint8_t>(i * i * 31 / 7));
   write_png(file, image, {});
-  EXPECT_EQ(trouble_with(file), "none");
+  EXPECT_EQ(error_with(file), "none");
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
-  EXPECT_TRUE(trouble_with(file).starts_with(sentence)) << trouble_with(file);
+  EXPECT_TRUE(error_with(file).starts_with(sentence)) << error_with(file);
 }

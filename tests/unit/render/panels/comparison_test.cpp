@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "render/curves/curve_choice.hpp"
 #include "render/liquid/particles.hpp"
 #include "render/panels/compared_curves.hpp"
 #include "render/picture/palette.hpp"
@@ -67,13 +68,13 @@ TEST(ComparedCurves, FindTheirSensorWhereverItStandsAndAreAsLongAsTheLongestRun)
 
 TEST(ComparedCurves, MotionIsShownWhereItIsAskedFor) {
   Look look;
-  look.curves = "surge";
+  look.curves = parse_curves("surge");
   EXPECT_EQ(compared_curves(test::variants(box, 2), look).size(), 1u);
 }
 
 TEST(Settle, AxesHoldTheRunsThatDidNotFailAndTheReference) {
   Look look;
-  look.curves = "eta_left";
+  look.curves = parse_curves("eta_left");
   look.references = {test::reference(2)};
   auto curves = compared_curves(test::variants(box, 2), look);
   record(curves[0], test::readings(0, 10), 0);
@@ -87,7 +88,7 @@ TEST(Settle, AxesHoldTheRunsThatDidNotFailAndTheReference) {
 
 TEST(Settle, PressuresAreMeansAndSaySo) {
   Look look;
-  look.curves = "p_left_bottom, eta_left";
+  look.curves = parse_curves("p_left_bottom, eta_left");
   auto curves = compared_curves(test::variants(box, 1), look);
   const Readings raw = test::readings(0, 10, 1000);
   for (SensorCurve& curve : curves) record(curve, raw);
@@ -116,7 +117,7 @@ TEST(Comparison, APictureTooSmallIsRefused) {
 TEST(Comparison, AllPanelsHaveOneRange) {
   // Both runs have the same pressures, so both show the uppermost colour of a range that ends below them, or neither.
   Look look = small();
-  look.curves = "none";
+  look.curves.emplace();
   look.show_bar = false;
   const auto yellow = [&](Range range) {
     Comparison comparison(test::variants(box, 2), look);
@@ -125,7 +126,7 @@ TEST(Comparison, AllPanelsHaveOneRange) {
     std::array<long, 2> found{};
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) {
-        const auto at = static_cast<std::size_t>(4 * (y * image.width + x));
+        const std::size_t at = 4 * static_cast<std::size_t>(y * image.width + x);
         found[x < image.width / 2 ? 0 : 1] +=
             image.rgba[at] > 200 && image.rgba[at + 1] > 180 && image.rgba[at + 2] < 80;
       }
@@ -139,7 +140,7 @@ TEST(Comparison, AllPanelsHaveOneRange) {
 
 TEST(Comparison, ARunThatFailedIsDimmedFromThenOn) {
   Look look = small();
-  look.curves = "none";
+  look.curves.emplace();
   look.show_bar = false;
   const long before = pixels_of(test::draw_comparison(look, box, 2, test::failure), Particles::wall_colour);
   const long after = pixels_of(test::draw_comparison(look, box, 2, test::failure + 0.02), Particles::wall_colour);

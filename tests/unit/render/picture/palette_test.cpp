@@ -54,7 +54,7 @@ TEST(Palette, ReferencesOfSeveralRunsAreNoRunsColour) {
     const Palette colours = palette_of_several(background);
     for (const Rgb& reference : colours.references) {
       EXPECT_TRUE(reference[0] == reference[1] && reference[1] == reference[2]) << "grey";
-      EXPECT_GT(std::abs(seen(reference, eyes[0])[0] - seen(colours.paper, eyes[0])[0]), 40);
+      EXPECT_GT(std::abs(seen(reference, eyes[0])[0] - seen(colours.background, eyes[0])[0]), 40);
       for (const Rgb& run : colours.runs) EXPECT_GT(distance(seen(reference, eyes[0]), seen(run, eyes[0])), 12);
     }
   }
@@ -65,7 +65,7 @@ TEST(Palette, RunsDifferForEveryEyeAndFromThePaper) {
     const Palette colours = palette(background);
     for (const Matrix& eye : eyes)
       for (std::size_t i = 0; i < colours.runs.size(); ++i) {
-        EXPECT_GT(std::abs(seen(colours.runs[i], eye)[0] - seen(colours.paper, eye)[0]), 25)
+        EXPECT_GT(std::abs(seen(colours.runs[i], eye)[0] - seen(colours.background, eye)[0]), 25)
             << seiche::name(background) << " " << i;
         for (std::size_t j = 0; j < i; ++j)
           EXPECT_GT(distance(seen(colours.runs[i], eye), seen(colours.runs[j], eye)), 12)

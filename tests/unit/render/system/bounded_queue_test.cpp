@@ -12,7 +12,7 @@
 namespace seiche::render {
 namespace {
 
-std::exception_ptr trouble() { return std::make_exception_ptr(std::runtime_error("the disk is full")); }
+std::exception_ptr disk_is_full() { return std::make_exception_ptr(std::runtime_error("the disk is full")); }
 
 TEST(BoundedQueue, HandsOnAllInOrderAndThenEnds) {
   BoundedQueue<std::unique_ptr<int>> queue(3);
@@ -56,7 +56,7 @@ TEST(BoundedQueue, WaitsWhileEmpty) {
 TEST(BoundedQueue, AnErrorOfTheGiverComesAfterWhatItGave) {
   BoundedQueue<int> queue(2);
   queue.push(1);
-  queue.close(trouble());
+  queue.close(disk_is_full());
   EXPECT_EQ(queue.pop(), 1);
   EXPECT_FALSE(queue.pop());
   EXPECT_THROW(queue.rethrow(), std::runtime_error);
@@ -68,7 +68,7 @@ TEST(BoundedQueue, AFailureOfTheTakerLetsAWaitingGiverGoAndDropsWhatWaits) {
   queue.push(1);
   auto giver = std::async(std::launch::async, [&] { return queue.push(2); });
   EXPECT_EQ(giver.wait_for(std::chrono::milliseconds(50)), std::future_status::timeout);
-  queue.fail(trouble());
+  queue.fail(disk_is_full());
   EXPECT_FALSE(giver.get());
   EXPECT_TRUE(queue.failed());
   EXPECT_EQ(queue.size(), 0u);

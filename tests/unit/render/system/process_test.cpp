@@ -51,7 +51,7 @@ TEST(Process, WorksUntilItsDescriptorIsReadable) {
 
 TEST(Process, ThatCannotBeStartedSaysWhy) {
   try {
-    Process({.words = {"no-such-program"}});
+    const Process process({.words = {"no-such-program"}});
     FAIL();
   } catch (const std::system_error& error) {
     EXPECT_EQ(error.code(), std::errc::no_such_file_or_directory);

@@ -91,7 +91,7 @@ TYPED_TEST(Laplacian, FeelsTheDragOfARoughWall) {
   const KF3 w{2.1 * l0};
   const Reference ref = lattice_reference<D>(w, l0);
   const Vec<D> u = Vec<D>::Unit(0);
-  const auto laplacian = laplacian_of<D>(w, l0, false, s, [&](const Vec<D>&) { return u; });
+  const auto laplacian = laplacian_of<D>(w, l0, false, s, [&](const Vec<D>&) { return Vec<D>(u); });
   // What lies one and two layers below: 1 + 2 diagonal neighbours in 2-D, 1 + 4 + 4 in 3-D, and one at 2 l0.
   double below = w(l0) + (D == 2 ? 2 : 4) * w(std::sqrt(2) * l0) + w(2 * l0);
   if (D == 3) below += 4 * w(std::sqrt(3) * l0);

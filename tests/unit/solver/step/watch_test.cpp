@@ -73,7 +73,7 @@ TYPED_TEST(WatchOf, StopsAtWhatIsNotFinite) {
 TYPED_TEST(WatchOf, SaysWhereInTheTank) {
   this->s.velocity[21][0] = nan;  // second row of 20, second column
   std::vector<std::string> where{"x = 0.015 m, y = 0.015 m"};
-  if (TypeParam::D == 3) where.push_back("z = 0.005 m");
+  if (TypeParam::D == 3) where.emplace_back("z = 0.005 m");
   this->expect_failure([&] { this->watch.check_motion(this->s); }, where);
 }
 

@@ -26,7 +26,7 @@ SparseView view(const SparseMatrix& a) {
 
 template <int D>
 void expect_cholmods_answer(const StirredSystem<D>& s) {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(s.rows()), exact = x;
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(s.rows()), exact = Eigen::VectorXd::Zero(s.rows());
   ASSERT_TRUE(make_pressure_solver(SolverName::cholmod, 0, 0)->solve(s.matrix(), s.b, exact).converged);
   EXPECT_TRUE(AmgSolver(1e-12, 100).solve(s.matrix(), s.b, x).converged);
   EXPECT_LT((x - exact).norm(), 1e-9 * exact.norm());
