@@ -75,9 +75,7 @@ TEST(Compare, WhatIsDoneIsNotRunAgainUnlessAskedTo) {
   const Result other = seiche(scratch.folder(), compare({"--end", "0.12"}));
   EXPECT_EQ(other.code, 2);
   EXPECT_EQ(other.out, "");
-  EXPECT_EQ(other.err,
-            "seiche: out/quick-compare/KF2 holds a finished run with time.end = 0.2, not 0.12; choose another folder "
-            "with -o DIR, or replace what is there with --overwrite\n");
+  EXPECT_TRUE(test::tells(other.err, {"out/quick-compare/KF2", "time.end = 0.2", "0.12", "-o DIR", "--overwrite"}));
   EXPECT_EQ(read_file(report), before);
   EXPECT_TRUE(fs::exists(out / "compare.gif"));
 
@@ -103,9 +101,7 @@ TEST(Compare, AComparisonOfOtherRunsIsNotReplacedUnlessAskedTo) {
   const std::vector<std::string> others{"compare", "a/KF2", "b/KF3", "-o", "a", "--size", "640x360", "--quiet"};
   const Result refused = seiche(scratch.folder(), others);
   EXPECT_EQ(refused.code, 2);
-  EXPECT_EQ(refused.err,
-            "seiche: a holds a comparison of other runs: KF2, KF3; choose another folder with -o DIR, or replace the "
-            "comparison with --overwrite\n");
+  EXPECT_TRUE(test::tells(refused.err, {"seiche: a ", "KF2, KF3", "-o DIR", "--overwrite"}));
   EXPECT_EQ(seiche(scratch.folder(), {"compare", quick, "--vary", "method.kernel=KF1,KF4", "-o", "a"}).code, 2);
   EXPECT_TRUE(shown_in(scratch / "a") == before);
   auto asked = others;
@@ -162,8 +158,7 @@ TEST(Compare, TwoAtOnceInAFolderAreOneTooMany) {
   const Result result = seiche(scratch.folder(), compare({"-o", "out"}));
   close(held);
   EXPECT_EQ(result.code, 2);
-  EXPECT_EQ(result.err,
-            "seiche: another `seiche compare` is at work in out; wait for it, or choose another folder with -o DIR\n");
+  EXPECT_TRUE(test::tells(result.err, {"`seiche compare`", "in out", "-o DIR"}));
   EXPECT_EQ(files_in(scratch / "out"), 0);
 }
 

@@ -88,8 +88,7 @@ TEST_F(Replay, DrawsAnewWhatPicturesAreMissing) {
   for (const std::string verb : {"render", "movie"}) {
     const Result result = seiche(scratch.folder(), {verb, "out/quick", "-o", "none.mp4"});
     EXPECT_EQ(result.code, 2);
-    EXPECT_EQ(result.err,
-              "seiche: out/quick/vtu/quick_000004.vtu isn't there, though the run lists it; run it again\n");
+    EXPECT_TRUE(test::tells(result.err, {"out/quick/vtu/quick_000004.vtu", "run it again"}));
     EXPECT_FALSE(fs::exists(scratch / "none.mp4"));
   }
   run({"movie", "out/quick", "-o", "b.mp4", "--frames", "1:2"});
@@ -124,13 +123,10 @@ TEST_F(Replay, BadInputIsRefusedInOneSentenceAndNothingIsWritten) {
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     return result.err;
   };
-  const std::string expected = "; expected the folder of a run, as `seiche run` leaves it\n";
   for (const std::string verb : {"render", "movie"}) {
-    EXPECT_EQ(error_of({verb, "nowhere"}), "seiche: nowhere isn't there" + expected);
-    EXPECT_EQ(error_of({verb, "empty"}), "seiche: empty is empty" + expected);
-    EXPECT_EQ(error_of({verb, "out"}), "seiche: out has no run.json" + expected);
-    EXPECT_TRUE(error_of({verb, "half"})
-                    .starts_with("seiche: half/run.json can't be used: it is damaged or cut off at byte 16"));
+    for (const std::string folder : {"nowhere", "empty", "out"})
+      EXPECT_TRUE(test::tells(error_of({verb, folder}), {"seiche: " + folder, "`seiche run`"}));
+    EXPECT_TRUE(test::tells(error_of({verb, "half"}), {"seiche: half/run.json", "byte 16"}));
     EXPECT_TRUE(test::tells(error_of({verb, "out/quick", "--set", "look.colour_mop=turbo"}),
                             {"--set", "look.colour_mop=turbo", "'look.colour_mop'", "'look.colour_map'?"}));
     EXPECT_TRUE(test::tells(error_of({verb, "out/quick", "--set", "motion.amplitude=1"}),
@@ -152,16 +148,13 @@ TEST_F(Replay, WithoutVtuFilesItSaysSoButFilmsThePictures) {
   run(run_until("0.08", {"--set", "output.vtu=false"}));
   const Result result = seiche(scratch.folder(), {"render", "out/quick"});
   EXPECT_EQ(result.code, 2);
-  EXPECT_EQ(result.err, "seiche: out/quick has no VTU files to draw from: it was run with output.vtu = false\n");
+  EXPECT_TRUE(test::tells(result.err, {"out/quick", "output.vtu = false"}));
   run({"movie", "out/quick", "-o", "a.mp4"});
   EXPECT_EQ(facts_of(scratch / "a.mp4"), "320,240,25/1,3");
   fs::remove(out / "frames/000001.png");
   const Result gap = seiche(scratch.folder(), {"movie", "out/quick", "-o", "b.mp4"});
   EXPECT_EQ(gap.code, 2);
-  EXPECT_EQ(
-      gap.err,
-      "seiche: the picture after out/quick/frames/000000.png isn't there, and without VTU files it can't be drawn "
-      "anew; choose others with --frames A:B\n");
+  EXPECT_TRUE(test::tells(gap.err, {"after out/quick/frames/000000.png", "--frames A:B"}));
 }
 
 TEST_F(Replay, LatestFollowsARunToItsEnd) {

@@ -51,16 +51,15 @@ TEST(Usage, VersionIsOneLine) {
 
 TEST(Usage, WrongUsageExitsWith2) {
   const Scratch scratch;
-  const std::string hint = "\nseiche --help and seiche VERB --help say more.\n";
   const auto error_of = [&](const std::vector<std::string>& arguments) {
     const Result result = seiche(scratch.folder(), arguments);
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "");
     return result.err;
   };
-  EXPECT_EQ(error_of({"rnu", quick}), "seiche: there is no verb 'rnu'; did you mean 'run'?" + hint);
-  EXPECT_EQ(error_of({"run"}), "seiche: scene is required" + hint);
-  EXPECT_EQ(error_of({"run", quick, "--fast"}), "seiche: The following argument was not expected: --fast" + hint);
+  EXPECT_TRUE(test::tells(error_of({"rnu", quick}), {"seiche: ", "'rnu'", "'run'?", "--help"}));
+  EXPECT_TRUE(test::tells(error_of({"run"}), {"seiche: ", "scene", "--help"}));
+  EXPECT_TRUE(test::tells(error_of({"run", quick, "--fast"}), {"seiche: ", "--fast", "--help"}));
   EXPECT_EQ(error_of({}).substr(0, 8), "seiche: ");
   EXPECT_EQ(error_of({"run", quick, "--threads", "0"}).substr(0, 8), "seiche: ");
   EXPECT_TRUE(std::filesystem::is_empty(scratch.folder()));
@@ -69,13 +68,12 @@ TEST(Usage, WrongUsageExitsWith2) {
 TEST(Usage, ABadSceneIsRefusedBeforeAnythingIsWritten) {
   const Scratch scratch;
   write_text(scratch / "x.toml", "[motion]\n  amplitde = 0.1\nfrequency = nan\n");
-  const std::string expected =
-      "x.toml:2:3: unknown key [motion] amplitde; did you mean 'amplitude'?\n"
-      "x.toml:3:13: [motion] frequency = nan is not finite; expected a number from 0 to 100 [Hz]\n";
   for (const std::string verb : {"run", "check"}) {
     const Result result = seiche(scratch.folder(), {verb, "x.toml"});
     EXPECT_EQ(result.code, 2);
-    EXPECT_EQ(result.err, expected);
+    EXPECT_TRUE(test::tells(result.err, {"x.toml:2:3: ", "[motion] amplitde", "'amplitude'?\n",
+                                         "x.toml:3:13: ", "[motion] frequency", "nan", "0 to 100 [Hz]\n"}));
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 2);
     EXPECT_EQ(result.out, "");
   }
   EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
@@ -111,8 +109,7 @@ TEST(Usage, EachBadSceneExitsWith2AndNamesTheFault) {
   EXPECT_TRUE(test::tells(error_of("[[look.reference]]\nof = \"eta_left\"\nfile = \"bad.csv\"\n"),
                           {"bad.csv:3", "eta_left", "'wet'", "-1.5e-3"}));
   EXPECT_NE(error_of("[output]\nsize = \"641x480\"\n").find("even width"), std::string::npos);
-  EXPECT_EQ(seiche(scratch.folder(), {"check", "y.toml"}).err,
-            "y.toml: there is no such file; did you mean 'x.toml'?\n");
+  EXPECT_TRUE(test::tells(seiche(scratch.folder(), {"check", "y.toml"}).err, {"y.toml: ", "'x.toml'?"}));
 }
 
 TEST(Usage, ABadMotionFileIsRefusedBeforeAnythingIsWritten) {
@@ -122,14 +119,12 @@ TEST(Usage, ABadMotionFileIsRefusedBeforeAnythingIsWritten) {
   for (const std::string verb : {"run", "check"}) {
     const Result result = seiche(scratch.folder(), {verb, "x.toml"});
     EXPECT_EQ(result.code, 2);
-    EXPECT_EQ(result.err, "m.csv:3: roll [deg] is missing; expected a number in each cell\n");
+    EXPECT_TRUE(test::tells(result.err, {"m.csv:3: ", "roll [deg]"}));
   }
   write_text(scratch / "m.csv", "t [s],roll [deg]\n0,0\n1,1\n2,0\n3,1\n");
   const Result result = seiche(scratch.folder(), {"run", "x.toml", "--end", "3.5"});
   EXPECT_EQ(result.code, 2);
-  EXPECT_NE(result.err.find("x.toml: motion.file holds the motion from 0 to 3 s, the run needs 0 to 3.5 s"),
-            std::string::npos)
-      << result.err;
+  EXPECT_TRUE(test::tells(result.err, {"x.toml: ", "motion.file", "0 to 3 s", "0 to 3.5 s", "time.end"}));
   EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
 }
 
@@ -155,10 +150,7 @@ TEST(Usage, AFolderWithFilesIsRefused) {
   write_text(scratch / "out/quick/notes.txt", "mine");
   const Result result = seiche(scratch.folder(), {"run", quick});
   EXPECT_EQ(result.code, 2);
-  EXPECT_EQ(
-      result.err,
-      "seiche: out/quick exists and isn't empty; choose another folder with -o DIR, or replace the run in it with "
-      "--overwrite\n");
+  EXPECT_TRUE(test::tells(result.err, {"out/quick", "-o DIR", "--overwrite"}));
   EXPECT_FALSE(std::filesystem::exists(scratch / "out/quick/run.json"));
 }
 
@@ -246,7 +238,7 @@ TEST(Usage, ValidateRefusesWhatIsntThereAndWritesNothing) {
     return result.err;
   };
   EXPECT_TRUE(test::tells(error_of({"--only", "roll,dam-brake"}), {"'dam-brake'", "'dam-break'?"}));
-  EXPECT_EQ(error_of({"."}), "seiche: . is no folder of scenes: it has no reference/\n");
+  EXPECT_TRUE(test::tells(error_of({"."}), {"seiche: . ", "reference/"}));
   EXPECT_TRUE(std::filesystem::is_empty(scratch.folder()));
   write_text(scratch / "out/validate/notes.txt", "mine");
   EXPECT_NE(error_of({}).find("--overwrite"), std::string::npos);

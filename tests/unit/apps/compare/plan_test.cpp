@@ -89,9 +89,7 @@ TEST(Plan, RefusesRunsThatWouldShareAFolder) {
     plan_of(scratch, {"motion.file=a_b.csv,a-b.csv"}, {parse_set("motion.type=file")});
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(),
-                 "--vary: motion.file=a_b.csv and motion.file=a-b.csv would have the same folder; give one another "
-                 "name");
+    EXPECT_TRUE(test::tells(error.what(), {"--vary", "motion.file=a_b.csv", "motion.file=a-b.csv", "folder"}));
   }
 }
 
@@ -103,8 +101,7 @@ TEST(Plan, RefusesFlatRunsBesideSolidOnes) {
 
 TEST(Plan, RefusesToGoWithoutWhatPicturesAreDrawnFrom) {
   for (const std::string text : {"output.vtu=false", "output.probes=false"})
-    EXPECT_EQ(refusal_of({"method.kernel=KF1,KF3"}, {parse_set(text)}),
-              "--set " + text + ": the comparison is drawn from VTU files and readings; leave it out");
+    EXPECT_TRUE(test::tells(refusal_of({"method.kernel=KF1,KF3"}, {parse_set(text)}), {"--set " + text, "VTU"}));
 }
 
 TEST(Plan, AValueThatAKeyRefusesIsTracedToItsVary) {
@@ -113,8 +110,7 @@ TEST(Plan, AValueThatAKeyRefusesIsTracedToItsVary) {
     plan_of(scratch, {"method.kernel=KF1,KF9"});
     FAIL();
   } catch (const BadScene& error) {
-    EXPECT_TRUE(std::string(error.what()).starts_with("--vary method.kernel=KF9: [method] kernel = 'KF9'"))
-        << error.what();
+    EXPECT_TRUE(test::tells(error.what(), {"--vary method.kernel=KF9: ", "[method] kernel = 'KF9'"}));
   }
 }
 
@@ -195,8 +191,7 @@ TEST(CheckKept, RefusesARunOfOtherParameters) {
   other = runs[1];
   other.scene.output.frame_rate = 7;
   store(other);
-  EXPECT_EQ(complaint_of(runs[1]),
-            runs[1].folder.string() + " holds a finished run with output.frame_rate = 7, not 50" + ways_out);
+  EXPECT_TRUE(test::tells(complaint_of(runs[1]), {runs[1].folder.string(), "output.frame_rate = 7", "50", ways_out}));
   other = runs[1];
   other.scene.parameters.motion.series.time = {0, 1};
   other.scene.parameters.motion.series[DegreeOfFreedom::surge] = {0, 1};
@@ -212,10 +207,9 @@ TEST(CheckKept, RefusesWhatAnotherVersionFinishedAndWhatIsNoRun) {
   std::string text = test::read_file(run.folder / "run.json");
   const std::string ours = std::string("\"") + version() + "\"";
   write_text(run.folder / "run.json", text.replace(text.find(ours), ours.size(), "\"0.0.1\""));
-  EXPECT_EQ(complaint_of(run),
-            run.folder.string() + " holds a finished run of seiche 0.0.1, not " + version() + ways_out);
+  EXPECT_TRUE(test::tells(complaint_of(run), {run.folder.string(), "seiche 0.0.1", version(), ways_out}));
   write_text(run.folder / "run.json", "{\"seiche\":");
-  EXPECT_EQ(complaint_of(run), run.folder.string() + " isn't empty, and holds no run that can be read" + ways_out);
+  EXPECT_TRUE(test::tells(complaint_of(run), {run.folder.string(), "no run", ways_out}));
 }
 
 TEST(RunsAtATime, AreAsManyAsCoresAndMemoryAllow) {

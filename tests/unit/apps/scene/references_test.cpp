@@ -47,12 +47,12 @@ TEST(Reference, BeginsWhereItIsToldTo) {
     reference_series(table, "eta_left", "m", 0.6);
     FAIL();
   } catch (const BadScene& error) {
-    EXPECT_STREQ(error.what(), "r.csv:4: the file ends after 1 samples from 0.6 s on; expected 2 at least");
+    EXPECT_TRUE(test::tells(error.what(), {"r.csv:4: ", "1", "0.6 s", "2"}));
   }
 }
 
 TEST(Reference, NamesTheLineOfAMistakeAndWhatWasExpected) {
-  EXPECT_EQ(error_of(""), "r.csv:1: an empty file; expected a header of column titles");
+  EXPECT_TRUE(test::tells(error_of(""), {"r.csv:1: ", "empty"}));
   EXPECT_TRUE(test::tells(error_of("time,eta_left\n0,1\n"), {"r.csv:1", "[s]"}));
   EXPECT_TRUE(test::tells(error_of("t [ms],eta_left\n0,1\n"), {"r.csv:1", "[s]"}));
   EXPECT_TRUE(test::tells(error_of("t,eta_lft,p\n0,1,2\n"), {"r.csv:1", "'eta_left'", "eta_lft", "'eta_lft'?"}));
@@ -60,7 +60,7 @@ TEST(Reference, NamesTheLineOfAMistakeAndWhatWasExpected) {
   EXPECT_TRUE(test::tells(error_of("t,eta_left\n0,1\n"), {"r.csv:2", "1", "2"}));
   EXPECT_TRUE(test::tells(error_of("t,eta_left\n0,1\n0.1,2,3\n"), {"r.csv:3", "3", "2"}));
   EXPECT_TRUE(test::tells(error_of("t,eta_left\n0,1\n0.1,2 m\n"), {"r.csv:3", "eta_left", "'2", "m'", "-1.5e-3"}));
-  EXPECT_EQ(error_of("t,eta_left\n0,1\n,2\n"), "r.csv:3: t is missing; expected a number in each cell");
+  EXPECT_TRUE(test::tells(error_of("t,eta_left\n0,1\n,2\n"), {"r.csv:3: ", "t "}));
   EXPECT_TRUE(test::tells(error_of("t,eta_left\n1,1\n0.5,2\n"), {"r.csv:3", "0.5", "1"}));
 }
 
@@ -103,16 +103,11 @@ TEST_F(SceneWithReference, HashesWhatTheFileHolds) {
 }
 
 TEST_F(SceneWithReference, SensorsThatArentThereAreNamedWithTheNearestOne) {
-  EXPECT_EQ(error("[[look.reference]]\nof = \"eta_lft\"\nfile = \"data/theory.csv\"\n"),
-            scene +
-                ":5:6: [[look.reference]] of = 'eta_lft' is no sensor of this scene; expected one of p_left_bottom, "
-                "eta_left, eta_right, force_x, force_y, moment, kinetic_energy, potential_energy, volume, x_mass, "
-                "y_mass; did "
-                "you mean 'eta_left'?");
-  EXPECT_EQ(error("[look]\ncurves = \"eta_left, p_roof\"\n"),
-            scene +
-                ":5:10: [look] curves = 'p_roof' is no sensor of this scene; expected one of p_left_bottom, eta_left, "
-                "eta_right, force_x, force_y, moment, kinetic_energy, potential_energy, volume, x_mass, y_mass");
+  EXPECT_TRUE(test::tells(error("[[look.reference]]\nof = \"eta_lft\"\nfile = \"data/theory.csv\"\n"),
+                          {scene + ":5:6: ", "[[look.reference]] of = 'eta_lft'", "p_left_bottom", "eta_right",
+                           "force_x", "volume", "'eta_left'?"}));
+  EXPECT_TRUE(test::tells(error("[look]\ncurves = \"eta_left, p_roof\"\n"),
+                          {scene + ":5:10: ", "[look] curves = 'p_roof'", "p_left_bottom", "eta_left", "y_mass"}));
 }
 
 TEST_F(SceneWithReference, SensorsThatArentThereAreNamedInTheOrderOfTheFileThenOfTheFlags) {
@@ -133,8 +128,8 @@ TEST_F(SceneWithReference, SensorsThatArentThereAreNamedInTheOrderOfTheFileThenO
 }
 
 TEST_F(SceneWithReference, ThatIsMissingIsNamed) {
-  EXPECT_EQ(error("[[look.reference]]\nof = \"eta_left\"\nfile = \"no.csv\"\n"),
-            (scratch / "sub/no.csv").string() + ": this reference file isn't there");
+  EXPECT_TRUE(test::tells(error("[[look.reference]]\nof = \"eta_left\"\nfile = \"no.csv\"\n"),
+                          {(scratch / "sub/no.csv").string(), "isn't there"}));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "render/files/provenance.hpp"
 #include "render/files/vtu.hpp"
+#include "tests/facts.hpp"
 #include "tests/unit/render/expect_same_frame.hpp"
 #include "tests/unit/render/scratch.hpp"
 #include "tests/unit/render/synthetic.hpp"
@@ -66,18 +67,17 @@ TEST(ReadVtu, TakesAFrameWithoutParticles) {
 TEST(ReadVtu, SaysInOneSentenceWhatIsWrong) {
   const test::Scratch scratch;
   const auto file = scratch / "a.vtu";
-  EXPECT_EQ(error_with(file), file.string() + " isn't there");
+  EXPECT_TRUE(test::tells(error_with(file), {file.string(), "isn't there"}));
 
-  const std::string unreadable = file.string() + " can't be read: it is damaged or no VTU file";
   std::ofstream(file) << "t [s],p\n";
-  EXPECT_EQ(error_with(file), unreadable);
+  EXPECT_TRUE(test::tells(error_with(file), {file.string(), "damaged"}));
 
   write(file, *test::lattice(box, 0.1));
   const auto whole = std::filesystem::file_size(file);
   for (const double share : {0.99, 0.9, 0.6, 0.3, 0.1, 0.01, 0.0}) {
     write(file, *test::lattice(box, 0.1));
     std::filesystem::resize_file(file, static_cast<std::uintmax_t>(share * static_cast<double>(whole)));
-    EXPECT_EQ(error_with(file), unreadable) << "after " << share << " of it";
+    EXPECT_TRUE(test::tells(error_with(file), {file.string(), "damaged"})) << "after " << share << " of it";
   }
 }
 
@@ -85,5 +85,5 @@ TEST(ReadVtu, RefusesAnothersFileByWhatItLacks) {
   const test::Scratch scratch;
   const auto file = scratch / "a.vtu";
   write_vtu(file, *test::lattice(box, 0.1), {});
-  EXPECT_EQ(error_with(file), file.string() + " has no step as Seiche writes it");
+  EXPECT_TRUE(test::tells(error_with(file), {file.string(), "step"}));
 }
