@@ -38,8 +38,8 @@ Similarity similarity(const render::Image& a, const render::Image& b) {
     int count = 0;
     double value() const { return count ? sum / count : 1; }
   };
-  const auto across = static_cast<std::size_t>(a.width / tile + 1);
-  std::vector<Mean> tiles(across * static_cast<std::size_t>(a.height / tile + 1));
+  const auto across = static_cast<std::size_t>(a.width / tile) + 1;
+  std::vector<Mean> tiles(across * (static_cast<std::size_t>(a.height / tile) + 1));
   const auto tile_at = [&](int x, int y) {
     return static_cast<std::size_t>(y / tile) * across + static_cast<std::size_t>(x / tile);
   };
