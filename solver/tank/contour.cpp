@@ -22,6 +22,17 @@ double signed_area(const Loop& loop) {
   return 0.5 * sum;
 }
 
+Bounds<2> bounds_of(const Edge& edge) {
+  Bounds<2> all{edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)};
+  if (edge.bulge == 0) return all;
+  for (const Vec<2>& axis : {Vec<2>(1, 0), Vec<2>(0, 1), Vec<2>(-1, 0), Vec<2>(0, -1)}) {
+    const Vec<2> r = edge.point(edge.nearest_share(edge.centre() + edge.radius() * axis));
+    all.low = all.low.cwiseMin(r);
+    all.high = all.high.cwiseMax(r);
+  }
+  return all;
+}
+
 Loop reversed(Loop loop) {
   std::reverse(loop.begin(), loop.end());
   for (Edge& edge : loop) {
@@ -95,6 +106,9 @@ void check_crossings(const std::vector<std::vector<Contour::Corner>>& polygons) 
   for (std::size_t k = 0; k < pieces.size(); ++k)
     for (std::size_t m = k + 1; m < pieces.size(); ++m) {
       const Piece &a = pieces[k], &b = pieces[m];
+      if ((a.from.cwiseMax(a.to).array() < b.from.cwiseMin(b.to).array()).any() ||
+          (b.from.cwiseMax(b.to).array() < a.from.cwiseMin(a.to).array()).any())
+        continue;
       // Neighbours share a point; they fold back on each other only if they leave it in one direction.
       const bool next = a.after == m, last = a.before == m;
       bool bad = !next && !last && meet(a.from, a.to, b.from, b.to);
@@ -118,6 +132,7 @@ bool is_inside(const std::vector<Contour::Corner>& corners, const Vec<2>& r) {
 }  // namespace
 
 Contour::Contour(std::vector<std::vector<Edge>> loops) : loops_(std::move(loops)) {
+  if (loops_.empty()) throw BadParameters("the tank's wall: no loop of points; give three points at least");
   std::for_each(loops_.begin(), loops_.end(), check_loop);
   const double tolerance = 1e-4 * bounds().size().maxCoeff();
   const auto corners = polygons(tolerance);
@@ -127,25 +142,37 @@ Contour::Contour(std::vector<std::vector<Edge>> loops) : loops_(std::move(loops)
     for (std::size_t m = 0; m < loops_.size(); ++m) around += m != k && is_inside(corners[m], loops_[k][0].from);
     if ((signed_area(loops_[k]) > 0) != (around % 2 == 0)) loops_[k] = reversed(std::move(loops_[k]));
   }
+  std::vector<Bounds<2>> boxes;
+  for (std::size_t k = 0; k < loops_.size(); ++k)
+    for (std::size_t m = 0; m < loops_[k].size(); ++m) {
+      places_.push_back({k, m});
+      boxes.push_back(bounds_of(loops_[k][m]));
+    }
+  tree_ = BoxTree<2>(boxes);
 }
 
 Nearest<2> Contour::nearest(const Vec<2>& r) const {
-  const Edge* edge = nullptr;
-  const Loop* loop = nullptr;
+  int nearest = std::numeric_limits<int>::max();
   double least = std::numeric_limits<double>::infinity(), share = 0;
-  for (const Loop& each : loops_)
-    for (const Edge& candidate : each) {
-      const double at = candidate.nearest_share(r), squared = (candidate.point(at) - r).squaredNorm();
-      if (squared < least) least = squared, edge = &candidate, loop = &each, share = at;
-    }
+  tree_.search(r, [&](int item) {
+    const Place place = places_[static_cast<std::size_t>(item)];
+    const Edge& candidate = loops_[place.loop][place.edge];
+    const double at = candidate.nearest_share(r), squared = (candidate.point(at) - r).squaredNorm();
+    // Of edges as near, the first, whatever the order that the tree has them in.
+    if (squared < least || (squared == least && item < nearest)) least = squared, nearest = item, share = at;
+    return least;
+  });
+  const Place found = places_[static_cast<std::size_t>(nearest)];
+  const Loop* loop = &loops_[found.loop];
+  const Edge* edge = &(*loop)[found.edge];
   Nearest<2> result{std::sqrt(least), edge->point(share), edge->normal(share), edge->patch};
   const Vec<2> off = r - result.foot;
   if (share > 0 && share < 1) {
     if (off.dot(result.normal) < 0) result.distance = -result.distance;
     return result;
   }
-  const std::size_t place = static_cast<std::size_t>(edge - loop->data()), count = loop->size();
-  const Edge& other = (*loop)[share > 0 ? (place + 1) % count : (place + count - 1) % count];
+  const std::size_t count = loop->size();
+  const Edge& other = (*loop)[share > 0 ? (found.edge + 1) % count : (found.edge + count - 1) % count];
   const Vec<2> beside = other.normal(share > 0 ? 0 : 1);
   if (off.dot(result.normal + beside) < 0) {
     result.distance = -result.distance;
@@ -158,18 +185,12 @@ Nearest<2> Contour::nearest(const Vec<2>& r) const {
 }
 
 Bounds<2> Contour::bounds() const {
-  Bounds<2> all{Vec<2>::Constant(std::numeric_limits<double>::infinity()),
-                Vec<2>::Constant(-std::numeric_limits<double>::infinity())};
-  const auto take = [&](const Vec<2>& r) {
-    all.low = all.low.cwiseMin(r);
-    all.high = all.high.cwiseMax(r);
-  };
+  Bounds<2> all = bounds_of(loops_[0][0]);
   for (const Loop& loop : loops_)
     for (const Edge& edge : loop) {
-      take(edge.from);
-      if (edge.bulge == 0) continue;
-      for (const Vec<2>& axis : {Vec<2>(1, 0), Vec<2>(0, 1), Vec<2>(-1, 0), Vec<2>(0, -1)})
-        take(edge.point(edge.nearest_share(edge.centre() + edge.radius() * axis)));
+      const Bounds<2> one = bounds_of(edge);
+      all.low = all.low.cwiseMin(one.low);
+      all.high = all.high.cwiseMax(one.high);
     }
   return all;
 }

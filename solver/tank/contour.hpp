@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "solver/tank/box_tree.hpp"
 #include "solver/tank/edge.hpp"
 #include "solver/tank/shape.hpp"
 
@@ -35,7 +36,13 @@ class Contour {
   const std::vector<std::vector<Edge>>& loops() const { return loops_; }
 
  private:
+  struct Place {
+    std::size_t loop, edge;
+  };
+
   std::vector<std::vector<Edge>> loops_;
+  std::vector<Place> places_;  ///< of the edges that the tree holds
+  BoxTree<2> tree_;
 };
 
 /// A closed polygon, its corners either way round; edge k, from corner k, is patch k.
