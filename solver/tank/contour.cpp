@@ -145,28 +145,48 @@ Contour::Contour(std::vector<std::vector<Edge>> loops) : loops_(std::move(loops)
   std::vector<Bounds<2>> boxes;
   for (std::size_t k = 0; k < loops_.size(); ++k)
     for (std::size_t m = 0; m < loops_[k].size(); ++m) {
-      places_.push_back({k, m});
-      boxes.push_back(bounds_of(loops_[k][m]));
+      const Edge& edge = loops_[k][m];
+      Held held{k, m, edge.from, edge.to - edge.from, {}, {}, 0, 0};
+      if (edge.bulge != 0) {
+        held.centre = edge.centre();
+        held.radius = edge.radius();
+        held.middle = (edge.point(0.5) - held.centre) / held.radius;
+        held.cosine = std::cos(0.5 * edge.angle());
+      }
+      held_.push_back(held);
+      boxes.push_back(bounds_of(edge));
     }
   tree_ = BoxTree<2>(boxes);
 }
 
+double Contour::Held::squared_distance(const Vec<2>& r) const {
+  const Vec<2> off = r - from;
+  if (radius == 0) {
+    const double share = std::clamp(off.dot(way) / way.squaredNorm(), 0.0, 1.0);
+    return (off - share * way).squaredNorm();
+  }
+  const Vec<2> arm = r - centre;
+  const double distance = arm.norm();
+  if (arm.dot(middle) >= distance * cosine) return (distance - radius) * (distance - radius);
+  return std::min(off.squaredNorm(), (off - way).squaredNorm());
+}
+
 Nearest<2> Contour::nearest(const Vec<2>& r) const {
   int nearest = std::numeric_limits<int>::max();
-  double least = std::numeric_limits<double>::infinity(), share = 0;
+  double least = std::numeric_limits<double>::infinity();
   tree_.search(r, [&](int item) {
-    const Place place = places_[static_cast<std::size_t>(item)];
-    const Edge& candidate = loops_[place.loop][place.edge];
-    const double at = candidate.nearest_share(r), squared = (candidate.point(at) - r).squaredNorm();
+    const double squared = held_[static_cast<std::size_t>(item)].squared_distance(r);
     // Of edges as near, the first, whatever the order that the tree has them in.
-    if (squared < least || (squared == least && item < nearest)) least = squared, nearest = item, share = at;
+    if (squared < least || (squared == least && item < nearest)) least = squared, nearest = item;
     return least;
   });
-  const Place found = places_[static_cast<std::size_t>(nearest)];
+  const Held& found = held_[static_cast<std::size_t>(nearest)];
   const Loop* loop = &loops_[found.loop];
   const Edge* edge = &(*loop)[found.edge];
-  Nearest<2> result{std::sqrt(least), edge->point(share), edge->normal(share), edge->patch};
+  const double share = edge->nearest_share(r);
+  Nearest<2> result{0, edge->point(share), edge->normal(share), edge->patch};
   const Vec<2> off = r - result.foot;
+  result.distance = off.norm();
   if (share > 0 && share < 1) {
     if (off.dot(result.normal) < 0) result.distance = -result.distance;
     return result;

@@ -36,12 +36,18 @@ class Contour {
   const std::vector<std::vector<Edge>>& loops() const { return loops_; }
 
  private:
-  struct Place {
+  /// An edge that the tree holds, and what its distance is found from.
+  struct Held {
     std::size_t loop, edge;
+    Vec<2> from, way;       ///< to the other end
+    Vec<2> centre, middle;  ///< of an arc, and the unit vector from the one to the arc's middle
+    double radius, cosine;  ///< 0 if straight; of half the arc's angle
+
+    double squared_distance(const Vec<2>& r) const;
   };
 
   std::vector<std::vector<Edge>> loops_;
-  std::vector<Place> places_;  ///< of the edges that the tree holds
+  std::vector<Held> held_;
   BoxTree<2> tree_;
 };
 

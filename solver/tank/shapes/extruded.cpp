@@ -53,7 +53,7 @@ SurfaceMesh Extruded::surface() const {
   for (const auto& patch : outline.patches) {
     mesh.patches.push_back({patch.name, {}});
     for (const auto& line : patch.faces)
-      mesh.patches.back().faces.push_back({line[0], line[0] + count, line[1] + count, line[1]});
+      mesh.patches.back().faces.push_back({line[0], line[1], line[1] + count, line[0] + count});
   }
   mesh.patches.push_back({"near", {}});
   mesh.patches.push_back({"far", {}});

@@ -15,7 +15,7 @@ Edge arc(const Vec<2>& from, const Vec<2>& along, const Vec<2>& to, int patch) {
 }
 
 std::vector<Edge> elliptical(double radius, int patch) {
-  constexpr int pieces = 24;
+  constexpr int pieces = 30;
   std::vector<Edge> edges;
   const auto at = [&](int k) {
     const double t = 0.5 * pi * k / pieces;

@@ -91,6 +91,22 @@ TEST(Contour, OfAnyPolygonIsFoundAsByBruteForce) {
   }
 }
 
+TEST(Contour, OfHundredsOfEdgesFindsTheNearestOfAll) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> radius(0.9, 1), place(-1.2, 1.2);
+  std::vector<Vec<2>> corners;
+  for (int k = 0; k < 700; ++k)
+    corners.emplace_back(radius(random) *
+                         Vec<2>(std::cos(k * std::numbers::pi / 350), std::sin(k * std::numbers::pi / 350)));
+  const Contour tank = polygon(corners);
+  for (int sample = 0; sample < 500; ++sample) {
+    const Vec<2> r(place(random), place(random));
+    double least = 100;
+    for (const Edge& edge : tank.loops()[0]) least = std::min(least, (edge.point(edge.nearest_share(r)) - r).norm());
+    EXPECT_EQ(std::abs(tank.nearest(r).distance), least);
+  }
+}
+
 TEST(Contour, AsAPolygonStaysWithinItsTolerance) {
   const Contour tank = circle({0, 0}, 1);
   const auto corners = tank.polygons(1e-4).at(0);
