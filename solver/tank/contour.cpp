@@ -146,7 +146,7 @@ Contour::Contour(std::vector<std::vector<Edge>> loops) : loops_(std::move(loops)
   for (std::size_t k = 0; k < loops_.size(); ++k)
     for (std::size_t m = 0; m < loops_[k].size(); ++m) {
       const Edge& edge = loops_[k][m];
-      Held held{k, m, edge.from, edge.to - edge.from, {}, {}, 0, 0};
+      Held held{k, m, edge.from, edge.to - edge.from, Vec<2>::Zero(), Vec<2>::Zero(), 0, 0};
       if (edge.bulge != 0) {
         held.centre = edge.centre();
         held.radius = edge.radius();

@@ -28,7 +28,7 @@ Edges moved(const Edges& loop, double distance) {
       tip = first.to + distance * (a + b) / (1 + a.dot(b));
       return true;
     };
-    Vec<2> tip;
+    Vec<2> tip = Vec<2>::Zero();
     const bool is_arc = edge.bulge != 0;
     if (mitre(before, edge, tip)) {
       if (is_arc)
