@@ -65,8 +65,7 @@ Settings override_settings(const std::vector<Override>& overrides) {
     } else if (const List* list = find_dotted(lists(), each.key)) {
       read_list_text(*list, each.value, each.origin, result);
     } else {
-      const std::string message =
-          fmt::format("{}: unknown key '{}'; {}", each.origin, each.key, hint(each.key));
+      const std::string message = fmt::format("{}: unknown key '{}'; {}", each.origin, each.key, hint(each.key));
       result.complaints.push_back({message, {}});
     }
   }

@@ -19,7 +19,8 @@ struct Request {
   bool overwrite = false;
 };
 
-/// Folder of the program's own scenes: share/seiche/scenes beside the bin/ that it is installed in, else scenes/ of the build.
+/// Folder of the program's own scenes: share/seiche/scenes beside the bin/ that it is installed in, else scenes/ of the
+/// build.
 std::filesystem::path find_scenes();
 
 /// `seiche validate`: runs the cases asked for, prints their figures, and writes table.md, table.csv and figures.png

@@ -37,7 +37,8 @@ void velocity_divergence(const Pairs<D>& pairs, double n0, const State<D>& s, Sc
         moments.add(weight * rij, rij);
       } else {
         walled = true;
-        sum += (fluid ? s.wet[j] : 1) * weight * 2 * rise_across(fluid ? s.normal[j] : s.normal[i], du, rij);
+        const Vec<D> normal = fluid ? s.normal_from(s.position[i], j) : s.normal_from(s.position[j], i);
+        sum += (fluid ? s.wet[j] : 1) * weight * 2 * rise_across(normal, du, rij);
       }
     });
     const Matrix moment = moments.matrix();

@@ -81,7 +81,7 @@ void pressure_gradient(Model model, const Pairs<D>& pairs, double n0, const Vecs
     pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
       weight *= s.wet[j];
       if (slope && s.kind[j] != Kind::fluid)
-        sums.add_wall(weight, rij, s.normal[j], (*slope)[i]);
+        sums.add_wall(weight, rij, s.normal_from(s.position[i], j), (*slope)[i]);
       else if (s.kind[j] != Kind::dummy)
         sums.add(weight, rij, s.pressure[j] - s.pressure[i]);
     });

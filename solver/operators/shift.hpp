@@ -17,7 +17,7 @@ void particle_shift(const Pairs<D>& pairs, double n0, double share, double l0, c
     out[i].setZero();
     if (s.kind[i] != Kind::fluid || near[i] || share == 0) continue;
     Vec<D> sum = Vec<D>::Zero();
-    pairs.each(i, s, [&](int, const Vec<D>& rij, double weight) { sum -= weight * rij; });
+    pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) { sum -= s.volume[j] * weight * rij; });
     out[i] = share * l0 * l0 * D / n0 * sum;
   }
 }

@@ -26,7 +26,7 @@ void strain_rate_divergence(const Pairs<D>& pairs, const Reference& ref, bool sl
     pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
       weight *= s.wet[j];
       if (slip && s.kind[j] != Kind::fluid) {
-        const Vec<D>& normal = s.normal[j];
+        const Vec<D> normal = s.normal_from(s.position[i], j);
         const double across = normal.dot(rij);
         sum -= weight * 2 * ui.dot(normal) * across * across * normal;
       } else {

@@ -21,7 +21,7 @@ class SurfaceDetection {
 
  private:
   double beta_, share_;
-  std::vector<int> count_;
+  Scalars count_;
 };
 
 }  // namespace seiche::solver

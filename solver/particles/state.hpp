@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solver/frame.hpp"
+#include "solver/particles/face.hpp"
 #include "solver/particles/kept.hpp"
 #include "solver/particles/vec.hpp"
 
@@ -11,33 +12,43 @@ namespace seiche::solver {
 /// The particles, as a structure of arrays in cell order.
 template <int D>
 struct State {
-  Vecs<D> position;  ///< in the tank's frame [m]
-  Vecs<D> velocity;  ///< relative to the tank [m/s]
-  Vecs<D> normal;    ///< out of the tank, for wall and dummy particles; zero in corners and for fluid
-  Scalars pressure;  ///< gauge [Pa]; the next solve starts from it
+  Vecs<D> position;       ///< in the tank's frame [m]
+  Vecs<D> velocity;       ///< relative to the tank [m/s]
+  Vecs<D> normal;         ///< out of the tank, for wall and dummy particles; zero in corners and for fluid
+  std::vector<int> edge;  ///< of wall and dummy particles beside an edge where the wall is convex: in `edges`; else -1
+  Scalars pressure;       ///< gauge [Pa]; the next solve starts from it
   std::vector<Kind> kind;
   Scalars density;                         ///< number density n_i when the surface was last found
   std::vector<std::uint8_t> surface;       ///< 1 at the free surface, where the pressure is given
   std::vector<std::uint8_t> near_surface;  ///< 1 for it and its neighbours
   std::vector<std::uint32_t> id;
-  Scalars wet;  ///< 1 for fluid and for walls beside it, 0 for dry walls and what is behind them
+  Scalars volume;  ///< what a wall particle or dummy stands for [l0^D]; 1 for fluid
+  Scalars wet;     ///< weight as a neighbour: of walls the volume beside liquid, 0 where they are dry; 1 for fluid
 
-  Vecs<D> listed_position;  ///< where each particle was when the neighbour list was made
-  double time = 0;          ///< [s]
+  std::vector<std::vector<Face<D>>> edges;  ///< faces that meet at each edge where the wall is convex
+  Vecs<D> listed_position;                  ///< where each particle was when the neighbour list was made
+  double time = 0;                          ///< [s]
   long step = 0;
 
   std::size_t size() const { return position.size(); }
 
-  void add(const Vec<D>& r, Kind k, const Vec<D>& n) {
+  /// The wall's normal as liquid at r meets wall particle or dummy j.
+  Vec<D> normal_from(const Vec<D>& r, int j) const {
+    return edge[j] < 0 ? normal[j] : entered_face(edges[edge[j]], r, position[j]);
+  }
+
+  void add(const Vec<D>& r, Kind k, const Vec<D>& n, double v = 1) {
     position.push_back(r);
     velocity.push_back(Vec<D>::Zero());
     normal.push_back(n);
+    edge.push_back(-1);
     pressure.push_back(0);
     kind.push_back(k);
     density.push_back(0);
     surface.push_back(0);
     near_surface.push_back(0);
-    wet.push_back(1);
+    volume.push_back(v);
+    wet.push_back(v);
     id.push_back(static_cast<std::uint32_t>(id.size()));
   }
 
@@ -46,12 +57,14 @@ struct State {
     pick(position, order, vectors_);
     pick(velocity, order, vectors_);
     pick(normal, order, vectors_);
+    pick(edge, order, edges_);
     pick(pressure, order, scalars_);
     pick(kind, order, kinds_);
     pick(density, order, scalars_);
     pick(surface, order, bytes_);
     pick(near_surface, order, bytes_);
     pick(id, order, ids_);
+    pick(volume, order, scalars_);
     pick(wet, order, scalars_);
   }
 
@@ -69,6 +82,7 @@ struct State {
   Scalars scalars_;
   std::vector<Kind> kinds_;
   std::vector<std::uint8_t> bytes_;
+  std::vector<int> edges_;
   std::vector<std::uint32_t> ids_;
 };
 

@@ -38,7 +38,8 @@ struct GhostBoundary {
   double diagonal(int i) const { return near[i] ? 4. / 3 * n0 * std::max(0.0, 1 - density[i] / density_n0) : 0; }
   double pair_diagonal(int j, double weight) const { return s.kind[j] == Kind::fluid ? weight : 0; }
   double pair_rhs(int i, int j, double weight, const Vec<D>& rij) const {
-    return weight * (s.kind[j] == Kind::fluid ? s.pressure[j] : rise_across(s.normal[j], slope[i], rij));
+    return weight *
+           (s.kind[j] == Kind::fluid ? s.pressure[j] : rise_across(s.normal_from(s.position[i], j), slope[i], rij));
   }
 };
 
@@ -55,7 +56,7 @@ void extend_to_walls(const Pairs<D>& pairs, const Vecs<D>& slope, State<D>& s) {
     pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
       if (s.kind[j] != Kind::fluid) return;
       const double w = weight * rij.squaredNorm();
-      sum += w * (s.pressure[j] - rise_across(s.normal[i], slope[j], rij));
+      sum += w * (s.pressure[j] - rise_across(s.normal_from(s.position[j], i), slope[j], rij));
       weights += w;
     });
     s.pressure[i] = weights > 0 ? sum / weights : 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -82,6 +83,26 @@ SurfaceMesh Box<3>::surface() const {
                   {"far", {{4, 5, 7, 6}}},  {"floor", {{0, 1, 5, 4}}}, {"roof", {{2, 6, 7, 3}}}};
   if (!closed_) mesh.patches.pop_back();
   return mesh;
+}
+
+template <int D>
+std::vector<WallPoint<D>> Box<D>::wall_points(int layers, double l0, double) const {
+  using Cell = Eigen::Matrix<int, D, 1>;
+  const Cell first = Cell::Constant(-layers), cells = (size_.array() / l0).round().template cast<int>();
+  Cell last = cells.array() + layers;
+  if (!closed_) last[1] -= layers;
+  std::vector<WallPoint<D>> points;
+  for (Cell c = first; c[D - 1] < last[D - 1];) {
+    const int beyond = std::max((-1 - c.array()).maxCoeff(), (c - cells).maxCoeff());
+    if (beyond >= 0) {
+      const Vec<D> r = (c.template cast<double>().array() + 0.5) * l0;
+      const Nearest<D> wall = nearest(r);
+      const bool beyond_edge = (r - wall.foot - wall.distance * wall.normal).norm() > 1e-6 * l0;
+      points.push_back({r, beyond_edge ? Vec<D>(Vec<D>::Zero()) : wall.normal, 1, beyond, wall.patch, {}});
+    }
+    for (int a = 0; ++c[a] == last[a] && a < D - 1; ++a) c[a] = first[a];
+  }
+  return points;
 }
 
 template <int D>

@@ -14,6 +14,8 @@ class Box final : public Shape<D> {
   Bounds<D> bounds() const override { return {Vec<D>::Zero(), size_}; }
   bool is_closed() const override { return closed_; }
   SurfaceMesh surface() const override;
+  /// On the lattice whose cells fill the box, in its order.
+  std::vector<WallPoint<D>> wall_points(int layers, double l0, double reach) const override;
   std::string description() const override;
 
  private:

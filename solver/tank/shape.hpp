@@ -5,6 +5,7 @@
 #include "solver/parameters.hpp"
 #include "solver/particles/vec.hpp"
 #include "solver/surface_mesh.hpp"
+#include "solver/tank/wall_point.hpp"
 
 namespace seiche::solver {
 
@@ -42,6 +43,11 @@ class Shape {
 
   /// The wall, the roof of an open tank left out.
   virtual SurfaceMesh surface() const = 0;
+
+  /// Points behind the wall in layers (k + 1/2) l0 behind its surface, k < `layers`, about l0 apart, with weights: the
+  /// particles that line the tank.
+  /// @param reach of a pair, for the faces of points beside a convex edge of the solid [m]
+  virtual std::vector<WallPoint<D>> wall_points(int layers, double l0, double reach) const = 0;
 
   /// For messages, as in "x from 0 to 0.6 m, y from 0 to 0.4 m".
   virtual std::string description() const = 0;

@@ -61,12 +61,13 @@ class WallWetness {
       if (s.kind[i] != Kind::wall) continue;
       double fluid = 0, solid = 0;
       pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
-        (s.kind[j] == Kind::fluid ? fluid : solid) += weight * rij.squaredNorm();
+        (s.kind[j] == Kind::fluid ? fluid : solid) += s.volume[j] * weight * rij.squaredNorm();
       });
-      s.wet[i] = std::clamp((fluid / (n0 - solid) - above_) / (level_ - above_), 0.0, 1.0);
+      s.wet[i] = s.volume[i] * std::clamp((fluid / (n0 - solid) - above_) / (level_ - above_), 0.0, 1.0);
     }
     for (int i = 0; i < size; ++i)
-      if (s.kind[i] == Kind::dummy) s.wet[i] = before_[i] < 0 ? 0 : s.wet[before_[i]];
+      if (s.kind[i] == Kind::dummy)
+        s.wet[i] = before_[i] < 0 ? 0 : s.volume[i] / s.volume[before_[i]] * s.wet[before_[i]];
   }
 
  private:

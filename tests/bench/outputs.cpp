@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "render/files/vtu.hpp"
-#include "render/view/painter.hpp"
 #include "render/picture/range.hpp"
+#include "render/view/painter.hpp"
 #include "tests/unit/render/synthetic_curves.hpp"
 
 namespace seiche::bench {

@@ -31,7 +31,7 @@ struct StillTank {
   Reference ref = lattice_reference<D>(w, l0);
   Neighbours<D> list = listed(s, w.support, 0.3 * l0);
   Scalars n = Scalars(s.size());
-  std::vector<int> count = std::vector<int>(s.size());
+  Scalars count = Scalars(s.size());
   std::vector<std::uint8_t> near = std::vector<std::uint8_t>(s.size());
   Vec<D> slope = -p.fluid.density * p.gravity * Vec<D>::Unit(1);
   mutable Vecs<D> slopes;

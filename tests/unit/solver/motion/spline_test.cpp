@@ -43,7 +43,8 @@ TEST(Spline, IsExactOnCubicsUpToAndBeyondItsEnds) {
   };
   for (std::size_t samples : {4, 5, 9}) {
     std::vector<double> x, y;
-    for (int k = 0; k < static_cast<int>(samples); ++k) x.push_back(0.3 * k + 0.02 * k * k), y.push_back(cubic(x.back()).value);
+    for (int k = 0; k < static_cast<int>(samples); ++k)
+      x.push_back(0.3 * k + 0.02 * k * k), y.push_back(cubic(x.back()).value);
     const Spline spline(x, y);
     for (double at : {-0.1, 0.0, 0.01, 0.3, 0.5, x.back() - 0.01, x.back(), x.back() + 0.1}) {
       EXPECT_NEAR(spline.at(at).value, cubic(at).value, 1e-11) << samples << " samples, " << at;

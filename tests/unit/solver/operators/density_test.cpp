@@ -19,7 +19,7 @@ TYPED_TEST(Density, InsideALatticeIsTheReferenceForEveryKernel) {
   State<D> s = test::block<D>(9);
   const auto list = test::listed(s, 3.1 * l0, 0.3 * l0);
   Scalars n(s.size());
-  std::vector<int> count(s.size());
+  Scalars count(s.size());
   for (double radius : {2.1, 2.6, 3.1})
     for (const Kernel& kernel : kernel_table(radius * l0))
       std::visit(
@@ -46,12 +46,30 @@ TYPED_TEST(Density, IsTheSumOfTheWeightsWithinTheSupport) {
   const auto list = test::listed(s, 2, 0.1);
   const KF5 w{2};
   Scalars n(s.size());
-  std::vector<int> count(s.size());
+  Scalars count(s.size());
   number_density(test::measured(w, list, s), s, n, count);
   const int i = test::nearest<D>(s, Vec<D>::Zero());
   EXPECT_EQ(list[i].size(), 3u);
   EXPECT_DOUBLE_EQ(n[i], w(0.7) + w(1.3));
   EXPECT_EQ(count[i], 2);
+}
+
+TYPED_TEST(Density, WeighsWallsByTheirVolume) {
+  constexpr int D = TypeParam::D;
+  State<D> s;
+  s.add(Vec<D>::Zero(), Kind::fluid, Vec<D>::Zero());
+  s.add(Vec<D>::Unit(0), Kind::wall, Vec<D>::Unit(0), 0.75);
+  const auto list = test::listed(s, 2, 0.1);
+  const KF5 w{2};
+  Scalars n(2), count(2);
+  number_density(test::measured(w, list, s), s, n, count);
+  const int i = s.kind[0] == Kind::fluid ? 0 : 1;
+  EXPECT_DOUBLE_EQ(n[i], 0.75 * w(1));
+  EXPECT_DOUBLE_EQ(count[i], 0.75);
+  s.wet[1 - i] = 0.3;
+  number_density(test::measured(w, list, s), s, n, count);
+  EXPECT_DOUBLE_EQ(n[i], 0.3 * w(1));
+  EXPECT_DOUBLE_EQ(count[i], 0) << "less than half of it is wet";
 }
 
 TYPED_TEST(Density, CountsEveryKindAndLeavesDummiesAtZero) {
@@ -62,7 +80,7 @@ TYPED_TEST(Density, CountsEveryKindAndLeavesDummiesAtZero) {
   const KF3 w{2.1 * l0};
   const auto list = test::listed(s, w.support);
   Scalars n(s.size(), -1);
-  std::vector<int> count(s.size(), -1);
+  Scalars count(s.size(), -1);
   number_density(test::measured(w, list, s), s, n, count);
   for (std::size_t i = 0; i < s.size(); ++i) {
     const bool dummy = s.kind[i] == Kind::dummy;

@@ -17,7 +17,7 @@ struct Block {
   Neighbours<D> list;
   Reference ref = lattice_reference<D>(w, l0);
   Scalars n = Scalars(s.size());
-  std::vector<int> count = std::vector<int>(s.size());
+  Scalars count = Scalars(s.size());
 
   explicit Block(double radius, double spacing = l0)
       : s(test::block<D>(9, spacing)), w{radius * l0}, list(test::listed(s, w.support)) {

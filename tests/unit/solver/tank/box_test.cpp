@@ -94,6 +94,30 @@ TYPED_TEST(BoxOf, SurfaceIsClosedAndFacesOutwards) {
   for (int axis = 0; axis < D; ++axis) EXPECT_EQ(mesh.size()[static_cast<std::size_t>(axis)], this->high[axis]);
 }
 
+TYPED_TEST(BoxOf, IsLinedByTheLatticeThatFillsItsTank) {
+  constexpr int D = TypeParam::D;
+  for (const bool closed : {true, false}) {
+    Parameters p = test::small_tank<D>();
+    p.tank.closed = closed;
+    const State<D> tank = fill_tank<D>(p);
+    const int layers = wall_layers(p.method);
+    const auto points = Box<D>(p).wall_points(layers, test::l0, 3 * test::l0);
+    std::size_t next = 0;
+    while (tank.kind[next] == Kind::fluid) ++next;
+    for (const bool first : {true, false})
+      for (const auto& point : points)
+        if ((point.layer == 0) == first) {
+          ASSERT_LT(next, tank.size());
+          EXPECT_EQ(tank.kind[next], first ? Kind::wall : Kind::dummy);
+          EXPECT_EQ(tank.position[next], point.position);
+          EXPECT_EQ(tank.normal[next], point.normal);
+          EXPECT_EQ(point.weight, 1);
+          ++next;
+        }
+    EXPECT_EQ(next, tank.size());
+  }
+}
+
 TEST(CheckBox, WantsWholeSpacings) {
   Parameters p;
   p.tank.length = 0.6012;
