@@ -96,9 +96,9 @@ TYPED_TEST(BoxOf, SurfaceIsClosedAndFacesOutwards) {
 
 TYPED_TEST(BoxOf, IsLinedByTheLatticeThatFillsItsTank) {
   constexpr int D = TypeParam::D;
-  for (const bool closed : {true, false}) {
+  for (const bool with_roof : {true, false}) {
     Parameters p = test::small_tank<D>();
-    p.tank.closed = closed;
+    p.tank.closed = with_roof;
     const State<D> tank = fill_tank<D>(p);
     const int layers = wall_layers(p.method);
     const auto points = Box<D>(p).wall_points(layers, test::l0, 3 * test::l0);
