@@ -103,9 +103,7 @@ TEST_F(Replay, AMovieThatIsReplacedStaysUntilTheOtherIsWhole) {
   const Result result =
       seiche(scratch.folder(), {"movie", "out/quick", "--style", "dot", "-o", "a.mp4", "--overwrite"});
   EXPECT_EQ(result.code, 1);
-  EXPECT_NE(result.err.find("quick_000004.vtu can't be read"), std::string::npos) << result.err;
-  EXPECT_NE(result.err.find("Kept: 0 frames in "), std::string::npos) << result.err;
-  EXPECT_NE(result.err.find("  as before a.mp4\n"), std::string::npos) << result.err;
+  EXPECT_TRUE(test::tells(result.err, {"quick_000004.vtu", "damaged", "Kept: 0 frames in ", "  as before a.mp4\n"}));
   EXPECT_TRUE(read_file(scratch / "a.mp4") == before);
   EXPECT_FALSE(fs::exists(scratch / ".part-a.mp4"));
   run({"movie", "out/quick", "--speed", "0.5", "-o", "a.mp4", "--overwrite"});
@@ -133,10 +131,11 @@ TEST_F(Replay, BadInputIsRefusedInOneSentenceAndNothingIsWritten) {
                             {"--set", "motion.amplitude=1", "motion.amplitude", "[look]", "output.size"}));
     EXPECT_TRUE(test::tells(error_of({verb, "out/quick", "--frames", "3:1"}), {"'3:1'", "100:200", "100", ":200"}));
     EXPECT_TRUE(test::tells(error_of({verb, "out/quick", "--from", "9"}), {"out/quick", "0", "1", "0", "0.04"}));
-    EXPECT_NE(error_of({verb, "out/quick", "--range", "run", "--latest"}).find("needs all of them"), std::string::npos);
+    EXPECT_TRUE(
+        test::tells(error_of({verb, "out/quick", "--range", "run", "--latest"}), {"--latest", "\"run\"", "--range"}));
   }
-  EXPECT_NE(error_of({"render", "out/quick", "--size", "161x120", "--movie", "mp4"}).find("even width"),
-            std::string::npos);
+  EXPECT_TRUE(
+      test::tells(error_of({"render", "out/quick", "--size", "161x120", "--movie", "mp4"}), {".mp4", "161", "120"}));
   EXPECT_TRUE(test::tells(error_of({"movie", "out/quick", "-o", "a.avi"}), {"a.avi", ".mp4", ".webm", ".gif"}));
   write_text(scratch / "a.gif", "mine");
   EXPECT_TRUE(test::tells(error_of({"movie", "out/quick", "-o", "a.gif"}), {"a.gif", "--overwrite"}));

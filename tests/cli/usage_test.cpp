@@ -37,7 +37,7 @@ TEST(Usage, WithoutOsmesaItNamesThePackageAndStartsNothing) {
   std::ofstream(scratch.folder() / "libOSMesa.so.8").flush();
   const Result result = seiche(scratch.folder(), {"run", quick}, {"LD_LIBRARY_PATH=" + scratch.folder().string()});
   EXPECT_EQ(result.code, 4);
-  EXPECT_NE(result.err.find("install Debian's package libosmesa6"), std::string::npos) << result.err;
+  EXPECT_TRUE(test::tells(result.err, {"seiche: ", "OSMesa", "package libosmesa6"}));
   EXPECT_EQ(result.out, "");
   EXPECT_FALSE(std::filesystem::exists(scratch.folder() / "out"));
 }
@@ -61,7 +61,7 @@ TEST(Usage, WrongUsageExitsWith2) {
   EXPECT_TRUE(test::tells(error_of({"run"}), {"seiche: ", "scene", "--help"}));
   EXPECT_TRUE(test::tells(error_of({"run", quick, "--fast"}), {"seiche: ", "--fast", "--help"}));
   EXPECT_EQ(error_of({}).substr(0, 8), "seiche: ");
-  EXPECT_EQ(error_of({"run", quick, "--threads", "0"}).substr(0, 8), "seiche: ");
+  EXPECT_TRUE(test::tells(error_of({"run", quick, "--threads", "0"}), {"seiche: ", "--threads", "0"}));
   EXPECT_TRUE(std::filesystem::is_empty(scratch.folder()));
 }
 
@@ -101,14 +101,14 @@ TEST(Usage, EachBadSceneExitsWith2AndNamesTheFault) {
       error_of("", {"--set", "look.curves=eta_lft"}),
       {"--set", "look.curves=eta_lft", "[look]", "curves", "'eta_lft'", "p_left_bottom", "eta_left", "eta_right",
        "force_x", "force_y", "kinetic_energy", "potential_energy", "x_mass", "y_mass", "'eta_left'?"}));
-  EXPECT_TRUE(test::tells(error_of("[look]\ncurves = \"eta_left, p_roof\"\n").substr(0, 40),
+  EXPECT_TRUE(test::tells(error_of("[look]\ncurves = \"eta_left, p_roof\"\n"),
                           {"x.toml:2:10", "[look]", "curves", "'p_roof'"}));
   EXPECT_TRUE(test::tells(error_of("[look]\ncurves = \"a, b, c, d\"\n"),
                           {"x.toml:2:10", "[look]", "curves", "'a", "d'", "3", "eta_left", "p_left_bottom"}));
   write_text(scratch / "bad.csv", "t,eta_left\n0,0\n0.1,wet\n");
   EXPECT_TRUE(test::tells(error_of("[[look.reference]]\nof = \"eta_left\"\nfile = \"bad.csv\"\n"),
                           {"bad.csv:3", "eta_left", "'wet'", "-1.5e-3"}));
-  EXPECT_NE(error_of("[output]\nsize = \"641x480\"\n").find("even width"), std::string::npos);
+  EXPECT_TRUE(test::tells(error_of("[output]\nsize = \"641x480\"\n"), {".mp4", "641", "480"}));
   EXPECT_TRUE(test::tells(seiche(scratch.folder(), {"check", "y.toml"}).err, {"y.toml: ", "'x.toml'?"}));
 }
 
@@ -158,7 +158,7 @@ TEST(Usage, WithoutFfmpegAMovieIsRefusedBeforeTheRun) {
   const Scratch scratch;
   const Result result = seiche(scratch.folder(), {"run", quick}, {"PATH=/nonexistent"});
   EXPECT_EQ(result.code, 5);
-  EXPECT_NE(result.err.find("install Debian's package ffmpeg"), std::string::npos) << result.err;
+  EXPECT_TRUE(test::tells(result.err, {"seiche: ", "package ffmpeg"}));
   EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
 }
 

@@ -83,14 +83,14 @@ TEST(CheckParameters, WantsWhatTheMotionNeedsAndNothingThatItIgnores) {
         p.motion.harmonics = {{DegreeOfFreedom::sway, 1, 1, 0}};
       },
       {"sway", "2-D", "tank.width"});
-  expect_refused([](Parameters& p) { p.motion.type = MotionType::file; }, {"motion.type = file needs motion.file"});
+  expect_refused([](Parameters& p) { p.motion.type = MotionType::file; }, {"motion.type = file", "motion.file"});
   expect_refused(
       [](Parameters& p) {
         p.motion.type = MotionType::harmonic;
         p.motion.harmonic.of = DegreeOfFreedom::roll;
         p.motion.file = "a.csv";
       },
-      {"motion.type = roll ignores motion.file"});
+      {"motion.type = roll", "motion.file"});
   Parameters p;  // A tank at rest for once keeps what moves it otherwise.
   p.motion.harmonics.resize(1);
   p.motion.file = "a.csv";

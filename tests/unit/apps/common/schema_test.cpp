@@ -26,9 +26,8 @@ TEST(Schema, IsTheOneExpected) {
 }
 
 TEST(Schema, ThatIsMissingTellsAnOldProgram) {
-  const std::string missing = "it has no schema version, as those of Seiche 0.1; expected version 2; run it again";
-  EXPECT_EQ(refusal_of(R"({"seiche": "0.1.0"})"), missing);
-  EXPECT_EQ(refusal_of("[]"), missing);
+  for (const char* json : {R"({"seiche": "0.1.0"})", "[]"})
+    EXPECT_TRUE(test::tells(refusal_of(json), {"no schema version", "0.1", "version 2", "run it again"}));
 }
 
 }  // namespace

@@ -49,8 +49,7 @@ TEST(ParseVary, RefusesWhatIsNoKeyOrNoneToVary) {
 
 TEST(ParseVary, RefusesMissingValues) {
   for (const std::string text : {"method.kernel", "method.kernel=", "method.kernel=KF1,", "method.kernel=,KF1"})
-    EXPECT_EQ(refusal_of(text),
-              "--vary " + text + ": a value is missing; expected KEY=VALUE,VALUE, as in method.kernel=KF1,KF3");
+    EXPECT_TRUE(test::tells(refusal_of(text), {"--vary " + text + ": ", "KEY=VALUE,VALUE", "method.kernel=KF1,KF3"}));
 }
 
 TEST(Combinations, AreAllOfThemTheLastKeyChangingFastest) {

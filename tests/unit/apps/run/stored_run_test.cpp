@@ -144,16 +144,14 @@ TEST_F(StoredRunTest, RefusesWhatIsNoRun) {
   std::filesystem::create_directories(out);
   EXPECT_TRUE(test::tells(refusal_of(out), {out.string(), "empty", "`seiche run`"}));
   write_text(out / "x", "");
-  EXPECT_EQ(refusal_of(out),
-            out.string() + " has no run.json; expected the folder of a run, as `seiche run` leaves it");
+  EXPECT_TRUE(test::tells(refusal_of(out), {out.string(), "run.json", "`seiche run`"}));
   write_text(out / "run.json", "{\"seiche\": ");
-  EXPECT_TRUE(refusal_of(out).starts_with((out / "run.json").string() + " can't be used: ")) << refusal_of(out);
+  EXPECT_TRUE(test::tells(refusal_of(out), {(out / "run.json").string(), "byte 12"}));
 }
 
 TEST_F(StoredRunTest, RefusesAnotherSchemaVersionAndSaysWhatToDo) {
   const auto out = scratch / "out";
-  const std::string remedy = "make it anew with `seiche run b/x.toml -o " + out.string() +
-                             " --overwrite` and the settings it had",
+  const std::string remedy = "`seiche run b/x.toml -o " + out.string() + " --overwrite`",
                     file = (out / "run.json").string();
   write_text(out / "run.json", R"({"seiche": "0.1.0", "scene": {"file": "b/x.toml"}})");
   EXPECT_TRUE(test::tells(refusal_of(out), {file, "no schema version", "version 1", remedy}));

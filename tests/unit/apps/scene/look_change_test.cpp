@@ -46,11 +46,12 @@ TEST(LookChange, ARangeGoesWithItsQuantity) {
 
 TEST(LookChange, RefusesWhatTheRunHasSettled) {
   const Scene scene = parse_scene("", "x.toml", {});
-  EXPECT_TRUE(test::tells(refusal(scene, "motion.amplitude=1"),
-                          {"--set", "motion.amplitude=1", "motion.amplitude", "[look]", "output.size"}));
-  EXPECT_NE(refusal(scene, "output.frame_rate=10").find("output.frame_rate is settled by the run"), std::string::npos);
-  EXPECT_NE(refusal(scene, "sensors.gauge=[{name = \"a\"}]").find("sensors.gauge is settled by the run"),
-            std::string::npos);
+  for (const auto& [key, value] : {std::pair<std::string, std::string>{"motion.amplitude", "1"},
+                                   {"output.frame_rate", "10"},
+                                   {"sensors.gauge", "[{name = \"a\"}]"}}) {
+    const std::string set = key + "=" + value;
+    EXPECT_TRUE(test::tells(refusal(scene, set), {"--set " + set, key, "[look]", "output.size"}));
+  }
 }
 
 TEST(LookChange, RefusesWhatNobodyKnowsAsARunDoes) {
@@ -58,7 +59,7 @@ TEST(LookChange, RefusesWhatNobodyKnowsAsARunDoes) {
   EXPECT_TRUE(test::tells(refusal(scene, "look.colour_mop=turbo"),
                           {"--set", "look.colour_mop=turbo", "'look.colour_mop'", "'look.colour_map'?"}));
   EXPECT_TRUE(test::tells(refusal(scene, "look.colour_map=red"), {"look.colour_map=red", "viridis", "cividis"}));
-  EXPECT_NE(refusal(scene, "look.curves=eta_lft").find("did you mean 'eta_left'?"), std::string::npos);
+  EXPECT_TRUE(test::tells(refusal(scene, "look.curves=eta_lft"), {"look.curves=eta_lft", "'eta_left'?"}));
 }
 
 TEST(LookChange, ReadsNewReferencesFromTheScenesFolder) {
