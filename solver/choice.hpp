@@ -43,6 +43,10 @@ enum class MotionType { none, harmonic, harmonics, file };
 enum class Start { impulsive, smooth };
 /// What a pressure sensor makes of the pressures on its area.
 enum class PressureReading { mean, maximum };
+enum class TankShape { box, prism, membrane, cylinder, sphere, revolve };
+enum class Axis { x, y, z };
+/// Ends of a cylinder.
+enum class Head { flat, hemispherical, elliptical, torispherical };
 
 template <class E>
 struct ChoiceTable;
@@ -121,6 +125,29 @@ template <>
 struct ChoiceTable<PressureReading> {
   static constexpr std::array rows{Choice{PressureReading::mean, "mean", "of the area"},
                                    Choice{PressureReading::maximum, "maximum", "of the area, its edge included"}};
+};
+
+template <>
+struct ChoiceTable<TankShape> {
+  static constexpr std::array rows{
+      Choice{TankShape::box, "box", "length, height, width; its corner is the origin"},
+      Choice{TankShape::prism, "prism", "a polygon of points, along z by width"},
+      Choice{TankShape::membrane, "membrane", "breadth and height with chamfers, along z by length"},
+      Choice{TankShape::cylinder, "cylinder", "radius and length along an axis, with ends"},
+      Choice{TankShape::sphere, "sphere", "radius"},
+      Choice{TankShape::revolve, "revolve", "points (height, radius) about the vertical"}};
+};
+template <>
+struct ChoiceTable<Axis> {
+  static constexpr std::array rows{Choice{Axis::x, "x", "lying, along x"}, Choice{Axis::y, "y", "upright"},
+                                   Choice{Axis::z, "z", "lying, along z"}};
+};
+template <>
+struct ChoiceTable<Head> {
+  static constexpr std::array rows{
+      Choice{Head::flat, "flat", "discs"}, Choice{Head::hemispherical, "hemispherical", "half spheres"},
+      Choice{Head::elliptical, "elliptical", "2:1, half the radius high"},
+      Choice{Head::torispherical, "torispherical", "crown radius the diameter, knuckle radius a tenth of it"}};
 };
 
 /// What scenes call it.

@@ -6,6 +6,8 @@
 #include "solver/motion/excursion.hpp"
 #include "solver/sensors/sensor_kinds.hpp"
 #include "solver/step/mps.hpp"
+#include "solver/tank/level.hpp"
+#include "solver/tank/measures.hpp"
 #include "solver/tank/shape.hpp"
 
 namespace seiche {
@@ -15,6 +17,20 @@ std::vector<Column> sensor_columns(const Parameters& parameters) { return solver
 Double3 motion_extent(const Parameters& p) { return solver::excursion(p); }
 
 SurfaceMesh tank_surface(const Parameters& parameters) { return solver::wall_surface(parameters); }
+
+Parameters::Tank initial_tank(TankShape shape) { return solver::initial_tank(shape); }
+
+void check_tank(const Parameters& p) { solver::check_shape(p); }
+
+TankMeasures tank_measures(const Parameters& p) {
+  const SurfaceMesh wall = solver::wall_surface(p);
+  return {solver::volume_of(wall), solver::area_of(wall), solver::volume_below(wall, wall.low()[1] + p.fluid.depth)};
+}
+
+double depth_holding(const Parameters& p, double volume) {
+  const SurfaceMesh wall = solver::wall_surface(p);
+  return solver::level_holding(wall, volume) - wall.low()[1];
+}
 
 std::unique_ptr<Simulation> make_simulation(const Parameters& p, double sample_interval) {
   check_parameters(p);

@@ -22,6 +22,22 @@ std::vector<Column> sensor_columns(const Parameters& parameters);
 /// The wall of the tank, in its frame.
 SurfaceMesh tank_surface(const Parameters& parameters);
 
+/// The tank of that shape before a scene says more: a box has measures to start from, the others none.
+Parameters::Tank initial_tank(TankShape shape);
+
+/// Throws BadParameters where the tank's measures don't make a tank that particles can line.
+void check_tank(const Parameters& parameters);
+
+struct TankMeasures {
+  double volume;  ///< of all the tank [m^2 in 2-D, m^3]
+  double area;    ///< of its wall [m in 2-D, m^2]
+  double liquid;  ///< volume below the still level
+};
+TankMeasures tank_measures(const Parameters& parameters);
+
+/// The depth [m] at which the tank holds that volume of liquid, all its height if it holds less.
+double depth_holding(const Parameters& parameters, double volume);
+
 /// No point of the tank, wall particles included, is ever displaced by more on each axis [m].
 Double3 motion_extent(const Parameters& parameters);
 

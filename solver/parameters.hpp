@@ -1,10 +1,12 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "solver/choice.hpp"
 #include "solver/degree_of_freedom.hpp"
+#include "solver/section_plane.hpp"
 
 namespace seiche {
 
@@ -17,17 +19,28 @@ struct Parameters {
   struct Fluid {
     double density = 1000;    ///< rho [kg/m^3]
     double viscosity = 1e-6;  ///< nu, kinematic [m^2/s]
-    double depth = 0.2;       ///< still level above the floor [m]
+    double depth = 0.2;       ///< still level above the lowest point of the tank [m]
     double column = 0;        ///< length of the liquid from the left wall [m]; 0: the whole tank (a dam break sets it)
     double wave_amplitude = 0;  ///< of a standing wave that the liquid starts in, its surface flat [m]; 0: none
     int wave_mode = 1;          ///< half waves of it along the tank
   } fluid;
 
+  /// Inner measures [m]; those that its shape doesn't have are 0.
   struct Tank {
-    double length = 0.6;  ///< inner, along x [m]
-    double height = 0.4;  ///< inner, along y [m]
-    double width = 0;     ///< inner, along z [m]; 0: the run is 2-D
-    bool closed = true;   ///< with a roof
+    TankShape shape = TankShape::box;
+    double length = 0.6;     ///< box: along x; membrane: along z (0: the run is 2-D); cylinder: of the shell
+    double height = 0.4;     ///< box, membrane: along y
+    double width = 0;        ///< box, prism: along z; 0: the run is 2-D
+    double breadth = 0;      ///< membrane: along x
+    double radius = 0;       ///< cylinder, sphere
+    Axis axis = Axis::y;     ///< cylinder: along which it lies or stands
+    Head ends = Head::flat;  ///< cylinder
+    std::array<double, 2> lower_chamfer{}, upper_chamfer{};  ///< membrane: what each takes off along x and along y
+    std::vector<std::array<double, 2>> points{};             ///< prism: (x, y); revolve: (height, radius)
+    std::optional<SectionPlane> section{};                   ///< the run is 2-D, in this plane of a 3-D tank
+    bool closed = true;                                      ///< box: with a roof
+
+    bool is_body() const;  ///< whether it is 3-D as long as no section is taken
   } tank;
 
   /// One term of a motion: amplitude sin(2 pi frequency t + phase).
@@ -121,7 +134,22 @@ struct Parameters {
 
   int threads = 0;  ///< OpenMP threads; 0: one per core
 
-  int dimension() const { return tank.width > 0 ? 3 : 2; }
+  int dimension() const { return tank.is_body() && !tank.section ? 3 : 2; }
 };
+
+inline bool Parameters::Tank::is_body() const {
+  switch (shape) {
+    case TankShape::box:
+    case TankShape::prism:
+      return width > 0;
+    case TankShape::membrane:
+      return length > 0;
+    case TankShape::cylinder:
+    case TankShape::sphere:
+    case TankShape::revolve:
+      break;
+  }
+  return true;
+}
 
 }  // namespace seiche

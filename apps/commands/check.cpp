@@ -20,23 +20,48 @@ std::string motion_text(const Parameters::Motion& motion) {
                      row(motion.harmonic.of).rotation ? "degrees" : "m", motion.harmonic.frequency, start);
 }
 
+const char* origin_of(const Parameters::Tank& tank) {
+  switch (tank.shape) {
+    case TankShape::box:
+      return "its lowest corner";
+    case TankShape::prism:
+      return "that of its points";
+    case TankShape::membrane:
+      return "the middle of its floor";
+    case TankShape::cylinder:
+    case TankShape::sphere:
+    case TankShape::revolve:
+      break;
+  }
+  return "the lowest point of its axis or middle plane";
+}
+
 }  // namespace
 
 std::string check_text(const Scene& scene) {
   const Parameters& p = scene.parameters;
-  const auto [length, height, across] = tank_surface(p).size();
-  const double l0 = p.particles.spacing, column = p.fluid.column > 0 ? p.fluid.column : length;
-  const double layers = across > 0 ? std::round(across / l0) : 1;
-  const double particles = std::round(column / l0) * std::round(p.fluid.depth / l0) * layers;
-  const std::string width = across > 0 ? fmt::format(" x {:g}", across) : "";
+  const SurfaceMesh wall = tank_surface(p);
+  const auto low = wall.low(), high = wall.high();
+  const bool body = p.dimension() == 3;
+  const TankMeasures measures = tank_measures(p);
+  const double l0 = p.particles.spacing;
+  const double liquid = p.fluid.column > 0 ? measures.liquid * p.fluid.column / wall.size()[0] : measures.liquid;
+  std::string ends;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(p.dimension()); ++axis)
+    ends += fmt::format("{}{} from {:.6g} to {:.6g}", axis > 0 ? ", " : "", "xyz"[axis], low[axis], high[axis]);
+  const std::string section = p.tank.section ? fmt::format(", in the plane {}", text_of(*p.tank.section)) : "";
   const std::string step = p.time.step > 0 ? fmt::format(" in steps of {:g} s", p.time.step) : "";
   return fmt::format(
       "{}: a good scene\n"
-      "  tank    {:g} x {:g}{} m, {}, filled to {:g} m; {}\n"
-      "  method  {} preset, kernel {}, spacing {:g} m: {:.0f} fluid particles\n"
+      "  tank    {}{}, {}: {} m; {:.5g} {}, wall {:.5g} {}; origin: {}\n"
+      "  liquid  to y = {:.6g} m, {:.5g} m deep: {:.5g} {}, {:.3g} % of the tank\n"
+      "  motion  {}\n"
+      "  method  {} preset, kernel {}, spacing {:g} m: some {:.0f} fluid particles\n"
       "  run     {:g} s{} at {:g} frames a second\n",
-      scene.file, length, height, width, p.tank.closed ? "closed" : "open", p.fluid.depth, motion_text(p.motion),
-      name(p.preset), p.method.kernel, l0, particles, p.time.end, step, scene.output.frame_rate);
+      scene.file, name(p.tank.shape), section, p.tank.closed ? "closed" : "open", ends, measures.volume,
+      body ? "m^3" : "m^2", measures.area, body ? "m^2" : "m", origin_of(p.tank), low[1] + p.fluid.depth, p.fluid.depth,
+      liquid, body ? "m^3" : "m^2", 100 * liquid / measures.volume, motion_text(p.motion), name(p.preset),
+      p.method.kernel, l0, liquid / std::pow(l0, p.dimension()), p.time.end, step, scene.output.frame_rate);
 }
 
 }  // namespace seiche::apps

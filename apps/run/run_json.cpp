@@ -108,6 +108,8 @@ Value value_from(const nlohmann::json& json) {
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
+  if (json.is_array() && !json.empty() && json.front().is_number()) return json.get<Numbers>();
+  if (json.is_array()) return json.get<Points>();
   return json.get<std::string>();
 }
 

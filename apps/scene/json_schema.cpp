@@ -14,13 +14,23 @@ namespace {
 using Json = nlohmann::ordered_json;  // keys in the order of the tables
 
 const char* type_of(const Value& value) {
-  constexpr const char* names[] = {"boolean", "integer", "number", "string"};  // as Value has them
+  constexpr const char* names[] = {"boolean", "integer", "number", "string", "array", "array"};  // as Value has them
   return names[value.index()];
 }
 
 void add_range(Json& schema, const Range& range) {
   schema[range.above_low ? "exclusiveMinimum" : "minimum"] = range.low;
   schema["maximum"] = range.high;
+}
+
+Json number_in(const Range& range) {
+  Json schema{{"type", "number"}};
+  add_range(schema, range);
+  return schema;
+}
+
+Json array_of(const Json& item, std::size_t count) {
+  return {{"type", "array"}, {"items", item}, {"minItems", count}, {"maxItems", count}};
 }
 
 // A key of a section or of a list's tables.
@@ -30,6 +40,11 @@ Json key_schema(const Key& key, const Value& value) {
   schema["description"] = fmt::format("{}{}{}", key.help, key.help.empty() ? "" : ": ", explained(key));
   if (!key.unit.empty()) schema["x-unit"] = key.unit;
   if (const auto* range = std::get_if<Range>(&key.rule)) add_range(schema, *range);
+  if (const auto* rule = std::get_if<OneOr>(&key.rule)) {
+    schema.erase("type");
+    schema["oneOf"] = {number_in(rule->range), array_of(number_in(rule->range), rule->count)};
+  }
+  if (const auto* rule = std::get_if<Pairs>(&key.rule)) schema["items"] = array_of(number_in(rule->range), 2);
   if (const auto* choices = std::get_if<Choices>(&key.rule)) schema["enum"] = *choices;
   if (std::holds_alternative<Name>(key.rule)) schema["pattern"] = column_name_pattern;
   std::visit([&](const auto& plain) { schema["default"] = plain; }, value);

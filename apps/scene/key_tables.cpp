@@ -1,6 +1,7 @@
 #include "apps/scene/key_tables.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "apps/scene/lists.hpp"
 #include "apps/scene/options.hpp"

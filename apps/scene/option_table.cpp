@@ -98,6 +98,26 @@ std::vector<Option> output_keys(const Option& movie, std::index_sequence<kinds..
   return keys;
 }
 
+std::string get_section(const Scene& s) {
+  return s.parameters.tank.section ? text_of(*s.parameters.tank.section) : "none";
+}
+
+void set_section(Scene& s, const std::string& text) {
+  s.parameters.tank.section = text == "none" ? std::nullopt : std::optional(parse_section(text));
+}
+
+template <auto sides>
+Several chamfer() {
+  return {[](const Scene& s) {
+            const auto [x, y] = s.parameters.tank.*sides;
+            return x == y ? Numbers{x} : Numbers{x, y};
+          },
+          [](Scene& s, const Numbers& numbers) {
+            s.parameters.tank.*sides = {numbers.front(), numbers.back()};
+          }};
+}
+
+const Written section{get_section, set_section, "none, or a plane as in x=0 or z=0.1"};
 const Written size{get_size, set_size, sizes};
 const Written range{get_range, set_range, "scene, frame, run, or min,max as in -100,3000, in the quantity's unit"};
 const Written curves{get_curves, set_curves, "auto, none, or up to 3 sensors, as in eta_left, p_left_bottom"};
@@ -114,17 +134,37 @@ std::vector<Option> make_options() {
 
       {"fluid", "density", "kg/m^3", AT(parameters.fluid.density), Range{0, 1e5, true}, "rho"},
       {"fluid", "viscosity", "m^2/s", AT(parameters.fluid.viscosity), Range{0, 1}, "nu, kinematic"},
-      {"fluid", "depth", "m", AT(parameters.fluid.depth), Range{0, huge, true}, "still level above the floor"},
+      {"fluid", "depth", "m", AT(parameters.fluid.depth), Range{0, huge, true},
+       "still level above the tank's lowest point; or give fill, fill_height or volume"},
+      {"fluid", "fill", "", AT(given.fill), Range{0, 1}, "share of the tank's volume that is liquid; 0: not given"},
+      {"fluid", "fill_height", "", AT(given.fill_height), Range{0, 1},
+       "still level above the tank's lowest point, over the tank's height; 0: not given"},
+      {"fluid", "volume", "m^3, in 2-D m^2", AT(given.volume), Range{0, 1e9}, "of the liquid; 0: not given"},
       {"fluid", "column", "m", AT(parameters.fluid.column), Range{0, huge},
        "length of the liquid from the left wall, for a dam break; 0: the whole tank"},
       {"fluid", "wave_amplitude", "m", AT(parameters.fluid.wave_amplitude), amplitudes,
        "of a standing wave that the liquid starts in, its surface flat; 0: none"},
       {"fluid", "wave_mode", "", AT(parameters.fluid.wave_mode), Range{1, 1000}, "half waves of it along the tank"},
 
-      {"tank", "length", "m", AT(parameters.tank.length), Range{0, huge, true}, "inner, along x"},
-      {"tank", "height", "m", AT(parameters.tank.height), Range{0, huge, true}, "inner, along y"},
-      {"tank", "width", "m", AT(parameters.tank.width), Range{0, huge}, "inner, along z; 0: the run is 2-D"},
-      {"tank", "closed", "", AT(parameters.tank.closed), {}, "with a roof"},
+      {"tank", "shape", "", CHOICE(parameters.tank.shape), "what the measures below make; inner ones, all of them"},
+      {"tank", "length", "m", AT(parameters.tank.length), Range{0, huge},
+       "box: along x; membrane: along z, 0: the run is 2-D; cylinder: of its shell"},
+      {"tank", "height", "m", AT(parameters.tank.height), Range{0, huge}, "box, membrane: along y"},
+      {"tank", "width", "m", AT(parameters.tank.width), Range{0, huge}, "box, prism: along z; 0: the run is 2-D"},
+      {"tank", "breadth", "m", AT(parameters.tank.breadth), Range{0, huge}, "membrane: along x"},
+      {"tank", "lower_chamfer", "m", chamfer<&Parameters::Tank::lower_chamfer>(), OneOr{{0, huge}, 2},
+       "membrane: along x and y, or one for both"},
+      {"tank", "upper_chamfer", "m", chamfer<&Parameters::Tank::upper_chamfer>(), OneOr{{0, huge}, 2},
+       "membrane: along x and y, or one for both"},
+      {"tank", "radius", "m", AT(parameters.tank.radius), Range{0, huge}, "cylinder, sphere"},
+      {"tank", "axis", "", CHOICE(parameters.tank.axis), "cylinder: how it lies or stands"},
+      {"tank", "ends", "", CHOICE(parameters.tank.ends), "cylinder: beyond its shell"},
+      {"tank", "points", "m", AT(parameters.tank.points), Pairs{{-huge, huge}},
+       "prism: its corners (x, y); revolve: its profile (height, radius)"},
+      {"tank", "file", "", AT(given.file), Text{},
+       "CSV of the points: columns x [m], y [m] or z [m], r [m] (or in cm, mm), its path from the scene's folder"},
+      {"tank", "section", "", section, {}, "a 2-D run in that plane of a 3-D tank"},
+      {"tank", "closed", "", AT(parameters.tank.closed), {}, "box: with a roof"},
 
       {"motion", "type", "", motion_type(), motion_types(),
        "one degree of freedom: amplitude sin(2 pi frequency t + phase)"},

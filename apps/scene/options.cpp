@@ -26,12 +26,21 @@ std::optional<std::string> assign_chosen(const Option& option, const Chosen& cho
   return {};
 }
 
+std::optional<std::string> assign_several(const Option& option, const Several& several, Scene& scene,
+                                          const Value& value) {
+  Numbers numbers;
+  if (auto complaint = put(value, {&numbers, option.rule, title(option), expected(option)})) return complaint;
+  several.set(scene, numbers);
+  return {};
+}
+
 // The member behind the key; nothing where it has a written form of its own.
 std::optional<Target> target(const Option& option, Scene& scene) {
   return std::visit(
       [&](const auto& access) -> std::optional<Target> {
         using Access = std::decay_t<decltype(access)>;
-        if constexpr (std::is_same_v<Access, Written> || std::is_same_v<Access, Chosen>)
+        if constexpr (std::is_same_v<Access, Written> || std::is_same_v<Access, Chosen> ||
+                      std::is_same_v<Access, Several>)
           return {};
         else
           return &access(scene);
@@ -86,12 +95,17 @@ std::optional<std::string> assign(const Option& option, Scene& scene, const Valu
     return assign_written(option, *written, scene, value);
   }
   if (const auto* chosen = std::get_if<Chosen>(&option.access)) return assign_chosen(option, *chosen, scene, value);
+  if (const auto* several = std::get_if<Several>(&option.access)) return assign_several(option, *several, scene, value);
   return put(value, {*target(option, scene), option.rule, title(option), expected(option)});
 }
 
 Value value_of(const Option& option, const Scene& scene) {
   if (const auto* written = std::get_if<Written>(&option.access)) return written->get(scene);
   if (const auto* chosen = std::get_if<Chosen>(&option.access)) return chosen->get(scene);
+  if (const auto* several = std::get_if<Several>(&option.access)) {
+    Numbers numbers = several->get(scene);
+    return value_in(&numbers);
+  }
   Scene copy = scene;  // The table reaches members for writing only; one copy a key is cheap.
   return value_in(*target(option, copy));
 }

@@ -25,10 +25,16 @@ struct Chosen {
   std::vector<std::string_view> meanings;  ///< of its Choices, in their order
 };
 
+/// Numbers of an OneOr rule. `set` takes what it lets through.
+struct Several {
+  Numbers (*get)(const Scene&);
+  void (*set)(Scene&, const Numbers&);
+};
+
 /// One key of a scene file.
 struct Option {
-  using Access =
-      std::variant<double& (*)(Scene&), int& (*)(Scene&), bool& (*)(Scene&), std::string& (*)(Scene&), Chosen, Written>;
+  using Access = std::variant<double& (*)(Scene&), int& (*)(Scene&), bool& (*)(Scene&), std::string& (*)(Scene&),
+                              Points& (*)(Scene&), Chosen, Written, Several>;
   std::string_view section;  ///< empty: above the first [section]
   std::string_view key;
   std::string_view unit;  ///< empty: none

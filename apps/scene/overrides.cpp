@@ -40,6 +40,8 @@ Value read_value(const Option& option, const std::string& text) {
   if (std::holds_alternative<bool& (*)(Scene&)>(option.access)) {
     return text == "true" || text == "false" ? Value(text == "true") : Value(text);
   }
+  if (std::holds_alternative<OneOr>(option.rule) || std::holds_alternative<Pairs>(option.rule))
+    return value_of_text(text).value_or(text);
   if (!std::holds_alternative<Range>(option.rule)) return text;
   const char *begin = text.data(), *end = begin + text.size();
   std::int64_t whole = 0;

@@ -13,6 +13,7 @@
 #include "apps/scene/list_settings.hpp"
 #include "apps/scene/motion_file.hpp"
 #include "apps/scene/references.hpp"
+#include "apps/scene/tank_settings.hpp"
 #include "apps/scene/toml_settings.hpp"
 #include "render/check_look.hpp"
 #include "solver/check_parameters.hpp"
@@ -57,9 +58,11 @@ Scene assemble(const Settings& all, std::vector<Complaint>& complaints) {
   }
   const Preset preset = scene.parameters.preset;
   apply_preset(scene.parameters, preset);
+  put_shape(settings, scene, complaints);
   for (const Setting& setting : settings) {
     if (!is_preset(setting)) put(setting);
   }
+  put_one_level(settings, scene, complaints);
   for (const ListSetting& setting : all.lists) put_list(setting, scene, complaints);
   return scene;
 }
@@ -105,6 +108,7 @@ Scene parse_scene(const std::string& toml, const std::string& file, const std::v
   if (motion.type == MotionType::file && !motion.file.empty())
     motion.series = read_motion_file((fs::path(file).parent_path() / motion.file).string());
   try {
+    settle_tank(scene, fs::path(file).parent_path());
     check_parameters(scene.parameters);
     check_step(scene);
     render::check_look(scene.look);

@@ -41,11 +41,48 @@ ListSetting::Table read_table(const List& list, const toml::table& table, const 
 
 }  // namespace
 
+namespace {
+
+std::optional<Numbers> numbers_of(const toml::array& array) {
+  Numbers numbers;
+  for (const toml::node& node : array) {
+    const auto number = node.value<double>();
+    if (!number || !node.is_number()) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+std::optional<Points> points_of(const toml::array& array) {
+  Points points;
+  for (const toml::node& node : array) {
+    const auto pair = node.is_array() ? numbers_of(*node.as_array()) : std::nullopt;
+    if (!pair || pair->size() != 2) return {};
+    points.push_back({(*pair)[0], (*pair)[1]});
+  }
+  return points;
+}
+
+}  // namespace
+
+std::optional<Value> value_of_text(const std::string& text) {
+  try {
+    const toml::table root = toml::parse("value = " + text);
+    return root.size() == 1 ? value_of_node(*root.get("value")) : std::nullopt;
+  } catch (const toml::parse_error&) {
+    return {};
+  }
+}
+
 std::optional<Value> value_of_node(const toml::node& node) {
   if (const auto value = node.value_exact<bool>()) return *value;
   if (const auto value = node.value_exact<std::int64_t>()) return *value;
   if (const auto value = node.value_exact<double>()) return *value;
   if (const auto value = node.value_exact<std::string>()) return *value;
+  const toml::array* array = node.as_array();
+  if (!array || array->is_homogeneous(toml::node_type::table)) return {};
+  if (const auto points = points_of(*array); points) return *points;
+  if (const auto numbers = numbers_of(*array)) return *numbers;
   return {};
 }
 

@@ -16,8 +16,11 @@ struct Place {
 };
 using Placing = std::function<Place(const toml::source_region&)>;
 
-/// What a key can be given; nothing for a date, an array or a table.
+/// What a key can be given; nothing for a date, a table, or an array of anything but numbers or pairs of numbers.
 std::optional<Value> value_of_node(const toml::node& node);
+
+/// The same from text, as in "[0.1, 0.2]".
+std::optional<Value> value_of_text(const std::string& text);
 
 /// Adds the tables of a list to `out`; whatever the list doesn't know are complaints, each with the nearest right name.
 void read_list(const List& list, const toml::node& node, const Placing& place, Settings& out);

@@ -21,6 +21,7 @@ Overloaded(F...) -> Overloaded<F...>;
 
 std::string shown(const Value& value) {
   return std::visit(Overloaded{[](const std::string& text) { return fmt::format("'{}'", text); },
+                               [](const Points& points) { return fmt::format("a list of {} pairs", points.size()); },
                                [](const auto& other) { return fmt::format("{}", other); }},
                     value);
 }
@@ -77,6 +78,35 @@ std::optional<std::string> put_bool(const Slot& slot, bool& target, const Value&
   return {};
 }
 
+// One number, or as many as the rule has.
+std::optional<std::string> put_numbers(const Slot& slot, Numbers& target, const Value& value) {
+  const OneOr& rule = std::get<OneOr>(slot.rule);
+  const auto* list = std::get_if<Numbers>(&value);
+  Numbers numbers = list ? *list : Numbers(1);
+  if (!list) {
+    const Rule one = rule.range;
+    if (auto complaint = put_number({&numbers[0], one, slot.title, slot.expected}, numbers[0], value)) return complaint;
+  } else if (numbers.size() != rule.count) {
+    return refusal(slot, value, fmt::format("has {} numbers", numbers.size()));
+  }
+  for (const double number : numbers)
+    if (!holds(rule.range, number)) return refusal(slot, value, "is out of range");
+  target = numbers;
+  return {};
+}
+
+std::optional<std::string> put_points(const Slot& slot, Points& target, const Value& value) {
+  const Points* points = std::get_if<Points>(&value);
+  if (!points) return refusal(slot, value, "is no list of pairs");
+  for (std::size_t k = 0; k < points->size(); ++k)
+    for (const double number : (*points)[k])
+      if (!holds(std::get<Pairs>(slot.rule).range, number))
+        return refusal(slot, Numbers{(*points)[k][0], (*points)[k][1]},
+                       fmt::format("(pair {}) is out of range", k + 1));
+  target = *points;
+  return {};
+}
+
 }  // namespace
 
 std::string expected(const Rule& rule, std::string_view unit, bool whole) {
@@ -84,6 +114,15 @@ std::string expected(const Rule& rule, std::string_view unit, bool whole) {
       Overloaded{[](const Choices& choices) { return fmt::format("one of {}", fmt::join(choices, ", ")); },
                  [](Name) { return std::string(column_name_rule); }, [](Text) { return std::string("text"); },
                  [](std::monostate) { return std::string("true or false"); },
+                 [&](const OneOr& some) {
+                   return fmt::format("a number from {} to {}{}, or a list of {} such numbers", some.range.low,
+                                      some.range.high, unit.empty() ? "" : fmt::format(" [{}]", unit), some.count);
+                 },
+                 [&](const Pairs& pairs) {
+                   return fmt::format("a list of pairs as in [[0, 0], [1, 0], [1, 1]], of numbers from {} to {}{}",
+                                      pairs.range.low, pairs.range.high,
+                                      unit.empty() ? "" : fmt::format(" [{}]", unit));
+                 },
                  [&](const Range& range) {
                    const std::string ends = range.above_low ? fmt::format("above {}, up to {}", range.low, range.high)
                                                             : fmt::format("from {} to {}", range.low, range.high);
@@ -100,13 +139,17 @@ std::string refusal(const std::string& title, const std::string& expected, const
 std::optional<std::string> put(const Value& value, const Slot& slot) {
   return std::visit(Overloaded{[&](bool* truth) { return put_bool(slot, *truth, value); },
                                [&](std::string* text) { return put_text(slot, *text, value); },
+                               [&](Numbers* numbers) { return put_numbers(slot, *numbers, value); },
+                               [&](Points* points) { return put_points(slot, *points, value); },
                                [&](auto* number) { return put_number(slot, *number, value); }},
                     slot.target);
 }
 
 Value value_in(const Target& target) {
   return std::visit(
-      Overloaded{[](int* whole) { return Value(std::int64_t{*whole}); }, [](auto* other) { return Value(*other); }},
+      Overloaded{[](int* whole) { return Value(std::int64_t{*whole}); },
+                 [](Numbers* numbers) { return numbers->size() == 1 ? Value(numbers->front()) : Value(*numbers); },
+                 [](auto* other) { return Value(*other); }},
       target);
 }
 

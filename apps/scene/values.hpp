@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,7 +13,9 @@
 namespace seiche::apps {
 
 /// A value as a scene file or a command line gives it.
-using Value = std::variant<bool, std::int64_t, double, std::string>;
+using Numbers = std::vector<double>;
+using Points = std::vector<std::array<double, 2>>;
+using Value = std::variant<bool, std::int64_t, double, std::string, Numbers, Points>;
 
 /// Numbers that a key takes; the lower end may be left out.
 struct Range {
@@ -43,10 +46,21 @@ struct Name {};
 /// Any text.
 struct Text {};
 
-using Rule = std::variant<std::monostate, Range, Choices, Name, Text>;
+/// A number, or a list of so many of them.
+struct OneOr {
+  Range range;
+  std::size_t count;
+};
+
+/// A list of pairs of numbers.
+struct Pairs {
+  Range range;
+};
+
+using Rule = std::variant<std::monostate, Range, Choices, Name, Text, OneOr, Pairs>;
 
 /// The member of a scene behind a key.
-using Target = std::variant<double*, int*, bool*, std::string*>;
+using Target = std::variant<double*, int*, bool*, std::string*, Numbers*, Points*>;
 
 /// All that putting a value into a member needs: how messages name the key and what it takes.
 struct Slot {

@@ -6,9 +6,10 @@
 #include <set>
 
 #include "solver/errors.hpp"
+#include "solver/sensors/pressure_sensor.hpp"
 #include "solver/sensors/sensor_kinds.hpp"
 #include "solver/sensors/sensor_list.hpp"
-#include "solver/tank/shape.hpp"
+#include "solver/sensors/wave_gauge.hpp"
 
 namespace seiche::solver {
 namespace {
@@ -45,27 +46,43 @@ bool is_in_plane(double z) {
 }
 
 template <int D>
+bool stands_on_liquid(const Parameters& p, const Shape<D>& tank, const Parameters::WaveGauge& gauge) {
+  const Bounds<D> bounds = tank.bounds();
+  const LiquidLattice<D> lattice(bounds, bounds.high[1], p.particles.spacing);
+  return WaveGauge(gauge.x, gauge.z, bounds.low[1] + p.fluid.depth, tank, lattice).reads();
+}
+
+template <int D>
 void check_places(const Parameters& p) {
   const auto tank = make_shape<D>(p);
   const Bounds<D> bounds = tank->bounds();
+  const double l0 = p.particles.spacing;
   for (const auto& sensor : p.sensors.pressure) {
     check_name("sensors.pressure", sensor.name);
     const Vec<D> r = Vec<3>(sensor.x, sensor.y, sensor.z).head<D>();
-    if (!is_inside<D>(r, bounds) || !is_in_plane<D>(sensor.z))
-      throw BadParameters(fmt::format("sensors.pressure '{}' at ({:.6g}, {:.6g}, {:.6g}) m is outside the tank: {}",
-                                      sensor.name, sensor.x, sensor.y, sensor.z, tank->description()));
     const Nearest<D> wall = tank->nearest(r);
-    if (std::abs(wall.distance) > place_tolerance)
-      throw BadParameters(fmt::format("sensors.pressure '{}' at {} is not on a wall; the nearest point of one is {}",
-                                      sensor.name, written<D>(r), written<D>(wall.foot)));
+    if (wall.distance > PressureSensor<D>::on_wall_within * l0 || !is_in_plane<D>(sensor.z))
+      throw BadParameters(
+          fmt::format("sensors.pressure '{}' at {} is outside the tank, {}; the nearest point of a wall is {}",
+                      sensor.name, written<D>(r), tank->description(), written<D>(wall.foot)));
+    if (sensor.side > 0 && wall.distance < -PressureSensor<D>::on_wall_within * l0)
+      throw BadParameters(
+          fmt::format("sensors.pressure '{}' at {} has a side but is on no wall; the nearest point of one is {}",
+                      sensor.name, written<D>(r), written<D>(wall.foot)));
     if (!(sensor.side >= 0))
       throw BadParameters(fmt::format("sensors.pressure '{}': side = {:.6g} m is below 0", sensor.name, sensor.side));
   }
   for (const auto& gauge : p.sensors.gauge) {
     check_name("sensors.gauge", gauge.name);
-    if (!is_inside<D>(Vec<3>(gauge.x, bounds.low[1], gauge.z).head<D>(), bounds) || !is_in_plane<D>(gauge.z))
+    const double level = bounds.low[1] + p.fluid.depth;
+    if (!is_inside<D>(Vec<3>(gauge.x, level, gauge.z).head<D>(), bounds) || !is_in_plane<D>(gauge.z))
       throw BadParameters(fmt::format("sensors.gauge '{}' at x = {:.6g} m, z = {:.6g} m is outside the tank: {}",
                                       gauge.name, gauge.x, gauge.z, tank->description()));
+    if (!stands_on_liquid<D>(p, *tank, gauge))
+      throw BadParameters(fmt::format(
+          "sensors.gauge '{}' at x = {:.6g} m, z = {:.6g} m: the tank has no liquid there at its still level "
+          "y = {:.6g} m; move it",
+          gauge.name, gauge.x, gauge.z, level));
   }
 }
 

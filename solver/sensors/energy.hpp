@@ -16,7 +16,7 @@ class EnergySensor : public Sensor<D> {
             {"potential_energy", unit, "potential energy", ColumnKind::energy, Rest::zero, scale}};
   }
 
-  EnergySensor(const Parameters&, const State<D>&) {}
+  explicit EnergySensor(const SensorSite<D>&) {}
 
   void read(const Instant<D>& now, Scalars& values) override {
     values.insert(values.end(), {now.budget.kinetic, now.budget.potential});

@@ -11,7 +11,6 @@ class FluidCells {
  public:
   static constexpr double reach = 3;  ///< of `near` [l0]
 
-  explicit FluidCells(const Parameters& p) : FluidCells(make_shape<D>(p)->bounds(), p.particles.spacing) {}
   FluidCells(const Bounds<D>& tank, double l0) : grid_(tank.low, tank.high, reach * l0), reach_(reach * l0) {}
 
   /// Call when particles have moved, come or gone.

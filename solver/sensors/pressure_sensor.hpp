@@ -9,22 +9,25 @@
 
 namespace seiche::solver {
 
-/// A pressure sensor on a wall: at its point, or over the part of the wall within side/2 of it on each axis along the
-/// wall, which is cut into parts at most l0/2 long: the mean of their midpoints, or the maximum of their ends, corners
-/// of the area included. Each is exact on a linear field. A dry wall reads 0.
+/// A pressure sensor, at a point of the wall or inside the liquid: at its point, or over the part of the wall within
+/// side/2 of it along two directions square to each other, which is cut into parts at most l0/2 long: the mean of their
+/// midpoints, or the maximum of their ends, corners of the area included. Each is exact on a linear field where the
+/// wall is flat. A dry wall reads 0.
 template <int D>
 class PressureSensor {
  public:
-  PressureSensor(const Parameters::PressureSensor& sensor, const Parameters& p)
-      : l0_(p.particles.spacing), reading_(sensor.reading) {
-    const auto tank = make_shape<D>(p);
-    const Bounds<D> bounds = tank->bounds();
-    points_.push_back(Vec<3>(sensor.x, sensor.y, sensor.z).head<D>());
-    int wall;
-    tank->nearest(points_[0]).normal.cwiseAbs().maxCoeff(&wall);
-    for (int a = 0; a < D; ++a)
-      if (a != wall && sensor.side > 0) spread(a, sensor.side, bounds.low[a], bounds.high[a]);
+  PressureSensor(const Parameters::PressureSensor& sensor, const Shape<D>& tank, double l0)
+      : l0_(l0), reading_(sensor.reading) {
+    const Vec<D> place = Vec<3>(sensor.x, sensor.y, sensor.z).head<D>();
+    const Nearest<D> wall = tank.nearest(place);
+    const bool on_wall = wall.distance > -on_wall_within * l0;
+    points_.push_back(on_wall ? wall.foot : place);
+    if (on_wall && sensor.side > 0)
+      for (const Vec<D>& way : along(wall.normal)) spread(tank, wall, way, sensor.side);
   }
+
+  /// A point nearer to the wall is on it [l0].
+  static constexpr double on_wall_within = 0.5;
 
   /// [Pa]
   double read(const State<D>& s, const FluidCells<D>& cells) const {
@@ -39,18 +42,45 @@ class PressureSensor {
   }
 
  private:
-  /// Replaces each point by midpoints or ends of equal parts of what `side` covers along an axis of the wall.
-  void spread(int axis, double side, double from, double to) {
+  /// Unit vectors along the wall, square to each other; along the axes where the wall is.
+  static std::vector<Vec<D>> along(const Vec<D>& normal) {
+    std::vector<Vec<D>> ways;
+    for (int axis = 0; axis < D && ways.size() + 1 < D; ++axis) {
+      Vec<D> way = Vec<D>::Unit(axis) - normal[axis] * normal;
+      for (const Vec<D>& other : ways) way -= way.dot(other) * other;
+      if (way.norm() > 0.5) ways.push_back(way.normalized());
+    }
+    return ways;
+  }
+
+  /// Whether the wall goes on there as the one at `wall`, within 45 degrees: another begins beyond a sharper edge.
+  static bool goes_on(const Shape<D>& tank, const Nearest<D>& wall, const Vec<D>& r) {
+    return tank.nearest(r).normal.dot(wall.normal) > std::sqrt(0.5);
+  }
+
+  /// How far from the wall's point it goes on along a way, up to `most` [m].
+  static double extent(const Shape<D>& tank, const Nearest<D>& wall, const Vec<D>& way, double most) {
+    double low = 0, high = most;
+    if (goes_on(tank, wall, wall.foot + most * way)) return most;
+    for (int k = 0; k < 50; ++k) {
+      const double middle = 0.5 * (low + high);
+      (goes_on(tank, wall, wall.foot + middle * way) ? low : high) = middle;
+    }
+    return low;
+  }
+
+  /// Replaces each point by midpoints or ends of equal parts of what `side` covers along a way, put onto the wall.
+  void spread(const Shape<D>& tank, const Nearest<D>& wall, const Vec<D>& way, double side) {
     const Vecs<D> centres = std::move(points_);
     points_.clear();
-    const double low = std::max(from, centres[0][axis] - 0.5 * side);
-    const double high = std::min(to, centres[0][axis] + 0.5 * side);
+    const double low = -extent(tank, wall, -way, 0.5 * side), high = extent(tank, wall, way, 0.5 * side);
     const int parts = std::max(1, static_cast<int>(std::ceil((high - low) / (0.5 * l0_) - 1e-9)));
     const bool ends = reading_ == PressureReading::maximum;
-    for (Vec<D> point : centres)
+    for (const Vec<D>& centre : centres)
       for (int k = 0; k < parts + ends; ++k) {
-        point[axis] = low + (high - low) * (ends ? k : k + 0.5) / parts;
-        points_.push_back(point);
+        const Vec<D> point = centre + (low + (high - low) * (ends ? k : k + 0.5) / parts) * way;
+        const Nearest<D> here = tank.nearest(point);
+        points_.push_back(here.normal.dot(wall.normal) > std::sqrt(0.5) ? here.foot : point);
       }
   }
 
@@ -74,8 +104,9 @@ class PressureSensors : public Sensor<D> {
     return all;
   }
 
-  PressureSensors(const Parameters& p, const State<D>&) {
-    for (const auto& sensor : sensors_of(p).pressure) sensors_.emplace_back(sensor, p);
+  explicit PressureSensors(const SensorSite<D>& site) {
+    for (const auto& sensor : sensors_of(site.p).pressure)
+      sensors_.emplace_back(sensor, site.tank, site.p.particles.spacing);
   }
 
   void read(const Instant<D>& now, Scalars& values) override {

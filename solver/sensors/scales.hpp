@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "solver/parameters.hpp"
+#include "solver/tank/level.hpp"
 #include "solver/tank/shape.hpp"
 
 namespace seiche::solver {
@@ -17,8 +18,8 @@ struct Scales {
 
   explicit Scales(const Parameters& p) {
     const double depth = p.fluid.depth, specific = p.fluid.density * std::abs(p.gravity);
-    const auto [length_of_tank, height, width] = wall_surface(p).size();
-    const double all = length_of_tank * depth * (p.dimension() == 3 ? width : 1);
+    const SurfaceMesh wall = wall_surface(p);
+    const double length_of_tank = wall.size()[0], all = volume_below(wall, wall.low()[1] + depth);
     pressure = or_one(0.25 * specific * depth);
     length = or_one(0.25 * depth);
     volume = or_one(0.01 * all);

@@ -28,13 +28,20 @@ class Sensor {
   virtual void read(const Instant<D>& now, Scalars& values) = 0;
 };
 
+/// What sensors are made for.
+template <int D>
+struct SensorSite {
+  const Parameters& p;
+  const Shape<D>& tank;
+  const State<D>& start;  ///< at t = 0
+};
+
 /// A row of the table of kinds.
 template <int D>
 struct SensorKind {
   /// None: no such sensor is asked for.
   std::vector<Column> (*columns)(const Parameters& p);
-  /// @param start the state at t = 0, for its walls
-  std::unique_ptr<Sensor<D>> (*make)(const Parameters& p, const State<D>& start);
+  std::unique_ptr<Sensor<D>> (*make)(const SensorSite<D>& site);
 };
 
 }  // namespace seiche::solver

@@ -13,9 +13,8 @@ namespace {
 
 template <int D, template <int> class Kind>
 SensorKind<D> kind() {
-  return {&Kind<D>::columns, [](const Parameters& p, const State<D>& start) -> std::unique_ptr<Sensor<D>> {
-            return std::make_unique<Kind<D>>(p, start);
-          }};
+  return {&Kind<D>::columns,
+          [](const SensorSite<D>& site) -> std::unique_ptr<Sensor<D>> { return std::make_unique<Kind<D>>(site); }};
 }
 
 template <int D>

@@ -11,14 +11,43 @@ std::string in_words(std::string name) {
   return name;
 }
 
+namespace {
+
+/// Least and greatest x at which the wall meets the still level [m].
+std::pair<double, double> waterline(const SurfaceMesh& wall, double level) {
+  double left = wall.high()[0], right = wall.low()[0];
+  for (const auto& patch : wall.patches)
+    for (const auto& face : patch.faces)
+      for (std::size_t k = 0; k < face.size(); ++k) {
+        const auto& from = wall.points[static_cast<std::size_t>(face[k])];
+        const auto& to = wall.points[static_cast<std::size_t>(face[(k + 1) % face.size()])];
+        if ((from[1] < level) == (to[1] < level)) continue;
+        const double x = from[0] + (level - from[1]) / (to[1] - from[1]) * (to[0] - from[0]);
+        left = std::min(left, x);
+        right = std::max(right, x);
+      }
+  return {left, right};
+}
+
+}  // namespace
+
 Parameters::Sensors sensors_of(const Parameters& p) {
   Parameters::Sensors sensors = p.sensors;
+  if (!sensors.pressure.empty() && !sensors.gauge.empty()) return sensors;
   const SurfaceMesh tank = wall_surface(p);
-  const auto [left, bottom, near] = tank.low();
-  const auto [right, top, far] = tank.high();
-  const double middle = near + 0.5 * (far - near);
-  if (sensors.pressure.empty()) sensors.pressure = {{"left_bottom", left, bottom, middle, 0}};
-  if (sensors.gauge.empty()) sensors.gauge = {{"left", left, middle}, {"right", right, middle}};
+  const auto low = tank.low(), high = tank.high();
+  const double middle = low[2] + 0.5 * (high[2] - low[2]);
+  const bool box = p.tank.shape == TankShape::box;
+  if (sensors.pressure.empty() && box) sensors.pressure = {{"left_bottom", low[0], low[1], middle, 0}};
+  if (sensors.pressure.empty()) {
+    const auto lowest = *std::min_element(tank.points.begin(), tank.points.end(),
+                                          [](const auto& a, const auto& b) { return a[1] < b[1]; });
+    sensors.pressure = {{"bottom", lowest[0], lowest[1], lowest[2], 0}};
+  }
+  if (!sensors.gauge.empty()) return sensors;
+  auto [left, right] = waterline(tank, low[1] + p.fluid.depth);
+  if (const double tenth = 0.1 * (right - left); !box) left += tenth, right -= tenth;
+  sensors.gauge = {{"left", left, middle}, {"right", right, middle}};
   return sensors;
 }
 

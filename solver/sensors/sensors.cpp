@@ -7,10 +7,15 @@
 namespace seiche::solver {
 
 template <int D>
-Sensors<D>::Sensors(const Parameters& p, double interval, const State<D>& s)
-    : p_(p), interval_(interval), motion_(p.motion), cells_(p), surface_(p) {
+Sensors<D>::Sensors(const SensorSite<D>& site, double interval)
+    : p_(site.p),
+      interval_(interval),
+      motion_(site.p.motion),
+      cells_(site.tank.bounds(), site.p.particles.spacing),
+      surface_(site.tank, site.p.particles.spacing, site.start),
+      still_height_(mean_height(site.start)) {
   for (const SensorKind<D>& kind : sensor_kinds<D>())
-    if (!kind.columns(p).empty()) sensors_.push_back(kind.make(p, s));
+    if (!kind.columns(p_).empty()) sensors_.push_back(kind.make(site));
 }
 
 // 1e-12: sums of steps that should end at a sample miss it by their rounding.
@@ -48,7 +53,7 @@ void Sensors<D>::evaluate(const State<D>& s, Scalars& values) {
   values.clear();
   cells_.sort(s);
   surface_.find(s, cells_);
-  const Budget<D> all = budget(s, p_, motion_.state(s.time));
+  const Budget<D> all = budget(s, p_, still_height_, motion_.state(s.time));
   for (const auto& sensor : sensors_) sensor->read({s, cells_, surface_, all}, values);
 }
 

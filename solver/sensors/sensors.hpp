@@ -23,8 +23,7 @@ template <int D>
 class Sensors {
  public:
   /// @param interval between two samples [s]; 0: no sensors
-  /// @param s the state at t = 0, for its walls
-  Sensors(const Parameters& p, double interval, const State<D>& s);
+  Sensors(const SensorSite<D>& site, double interval);
 
   /// Call before a step that ends at `end` [s].
   void before_step(const State<D>& s, double end, SensorMemory& memory);
@@ -42,6 +41,7 @@ class Sensors {
   Motion motion_;
   FluidCells<D> cells_;
   SurfaceProfile<D> surface_;
+  double still_height_;  ///< of the liquid's centre of mass [m]
   std::vector<std::unique_ptr<Sensor<D>>> sensors_;
   Scalars now_;  ///< a buffer
 };

@@ -2,25 +2,33 @@
 #include <algorithm>
 #include <numeric>
 
-#include "solver/operators/kernels.hpp"
 #include "solver/sensors/fluid_cells.hpp"
+#include "solver/sensors/lattice_columns.hpp"
 
 namespace seiche::solver {
 
-/// The water surface over the columns of the lattice: for each the highest crossing of half of the fluid fraction
-///   phi(x, y) = sum_fluid W((x - x_j)/l0) W((y - y_j)/l0)   (and so along z),
-/// W being KF4 of support 2, whose copies one spacing apart add up to 1 everywhere: a lattice at rest has phi = 1 below
-/// its surface, 1/2 on it and 0 above. The fluid is continued behind the side walls and the floor as in a mirror, so
-/// that walls take nothing away. Spray, fluid at the free surface with fewer than two fluid neighbours within 1.5 l0,
-/// doesn't count.
+/// The water surface over the columns of the lattice: for each the highest crossing of half of the fluid fraction,
+/// which is what of the space that the walls leave is fluid,
+///   phi(x, y) = sum_fluid W / (1 - sum_wall v W),   W as LatticeColumns has it.
+/// A lattice at rest has phi = 1 below its surface, 1/2 on it and 0 above. Spray, fluid at the free surface with fewer
+/// than two fluid neighbours within 1.5 l0, doesn't count.
 template <int D>
 class SurfaceProfile {
  public:
-  explicit SurfaceProfile(const Parameters& p) : SurfaceProfile(*make_shape<D>(p), p.particles.spacing) {}
-  SurfaceProfile(const Shape<D>& tank, double l0) : size_(tank.bounds().size()), closed_(tank.is_closed()), l0_(l0) {
-    count_[0] = static_cast<int>(std::lround(size_[0] / l0_));
-    if (D == 3) count_[1] = static_cast<int>(std::lround(size_[D - 1] / l0_));
-    height_.resize(count_[0] * count_[1]);
+  /// @param walls a state with the tank's wall particles and dummies
+  SurfaceProfile(const Shape<D>& tank, double l0, const State<D>& walls)
+      : lattice_(tank.bounds(), tank.bounds().high[1], l0),
+        closed_(tank.is_closed()),
+        solid_(lattice_),
+        water_(lattice_) {
+    columns_.resize(static_cast<std::size_t>(count(0)) * count(1));
+    height_.resize(columns_.size());
+    for (Column& column : columns_) column.below.assign(1, 0);
+    lattice_.each(
+        [&](const Cell& cell) { columns_[number(cell)].add_cell(part_inside(tank, lattice_.centre(cell), l0).share); });
+    for (std::size_t i = 0; i < walls.size(); ++i)
+      if (walls.kind[i] != Kind::fluid) solid_.add(walls.position[i], walls.volume[i]);
+    solid_.sort();
   }
 
   /// Finds the surface. Second order in l0.
@@ -31,101 +39,95 @@ class SurfaceProfile {
     for (int c = 0; c < columns; ++c) height_[c] = crossing(c);
   }
 
-  /// Columns along x, and along z (1 in 2-D); column (i, k) stands at ((i + 1/2) l0, (k + 1/2) l0).
-  int count(int axis) const { return count_[axis]; }
+  const LiquidLattice<D>& lattice() const { return lattice_; }
 
-  /// Surface above the floor [m], 0 where there is no water, of column i + count(0) k.
+  /// Columns along x, and along z (1 in 2-D).
+  int count(int axis) const { return axis == 0 ? lattice_.count[0] : D == 3 ? lattice_.count[D - 1] : 1; }
+
+  /// The surface's y [m] in column i + count(0) k, the column's bottom where there is no water.
   double height(int column) const { return height_[column]; }
 
   /// Space below the surface [m^2 in 2-D, m^3].
-  double volume() const { return std::accumulate(height_.begin(), height_.end(), 0.0) * std::pow(l0_, D - 1); }
+  double volume() const {
+    double cells = 0;
+    for (std::size_t c = 0; c < columns_.size(); ++c)
+      cells += columns_[c].cells_below((height_[c] - lattice_.corner[1]) / lattice_.l0, closed_);
+    return cells * std::pow(lattice_.l0, D);
+  }
 
  private:
-  /// Sorts the water by column, topmost first.
+  using Cell = typename LiquidLattice<D>::Cell;
+
+  /// Less of a place than that is left by the walls: it lies behind them.
+  static constexpr double least_open = 0.25;
+
+  /// What of the tank is in a column, in cells, from the lattice's corner up.
+  struct Column {
+    Scalars below;  ///< of the tank below each cell, and below the column's end
+    double bottom = 0, top = 0;
+
+    void add_cell(double share) {
+      const auto at = static_cast<double>(below.size() - 1);
+      if (below.back() == 0) bottom = at + 1 - share;
+      if (share > 0) top = at + share;
+      below.push_back(below.back() + share);
+    }
+
+    double cells_below(double height, bool closed) const {
+      const auto rows = static_cast<double>(below.size() - 1);
+      if (height >= rows) return below.back() + (closed ? 0 : height - rows);
+      const double whole = std::floor(std::max(0.0, height)), rest = std::max(0.0, height) - whole;
+      const auto at = static_cast<std::size_t>(whole);
+      return below[at] + rest * (below[at + 1] - below[at]);
+    }
+  };
+
+  int number(const Cell& cell) const { return cell[0] + (D == 3 ? count(0) * cell[D - 1] : 0); }
+  double y(double cells) const { return lattice_.corner[1] + cells * lattice_.l0; }
+
   void sort(const State<D>& s, const FluidCells<D>& cells) {
-    const int columns = static_cast<int>(height_.size()), size = static_cast<int>(s.size());
-    column_.assign(size, -1);
+    const int size = static_cast<int>(s.size());
+    counts_.assign(size, 0);
 #pragma omp parallel for schedule(static)
+    for (int i = 0; i < size; ++i) counts_[i] = s.kind[i] == Kind::fluid && !is_spray(s, i, cells);
+    water_.clear();
     for (int i = 0; i < size; ++i)
-      if (s.kind[i] == Kind::fluid && !is_spray(s, i, cells)) column_[i] = column_of(s.position[i]);
-    start_.assign(columns + 1, 0);
-    for (int c : column_)
-      if (c >= 0) ++start_[c + 1];
-    for (int c = 0; c < columns; ++c) start_[c + 1] += start_[c];
-    water_.resize(start_[columns]);
-    next_.assign(start_.begin(), start_.end() - 1);
-    for (int i = 0; i < size; ++i)
-      if (column_[i] >= 0) water_[next_[column_[i]]++] = s.position[i];
-#pragma omp parallel for schedule(static)
-    for (int c = 0; c < columns; ++c)
-      std::sort(water_.begin() + start_[c], water_.begin() + start_[c + 1],
-                [](const Vec<D>& a, const Vec<D>& b) { return a[1] > b[1]; });
+      if (counts_[i]) water_.add(s.position[i], 1);
+    water_.sort();
   }
 
   bool is_spray(const State<D>& s, int i, const FluidCells<D>& cells) const {
     if (!s.surface[i]) return false;
     int close = 0;
-    cells.near(s.position[i], [&](int j, const Vec<D>& offset) { close += j != i && offset.norm() < 1.5 * l0_; });
+    cells.near(s.position[i],
+               [&](int j, const Vec<D>& offset) { close += j != i && offset.norm() < 1.5 * lattice_.l0; });
     return close < 2;
   }
 
-  int column_of(const Vec<D>& r) const {
-    const auto cell = [&](double x, int n) { return std::clamp(static_cast<int>(std::floor(x / l0_)), 0, n - 1); };
-    return cell(r[0], count_[0]) + (D == 3 ? count_[0] * cell(r[D - 1], count_[1]) : 0);
-  }
-
-  /// Calls f(first, last) for the water of every column within two of column c.
-  template <class F>
-  void around(int c, F f) const {
-    const int i = c % count_[0], k = c / count_[0];
-    for (int z = std::max(0, k - 2); z <= std::min(count_[1] - 1, k + 2); ++z)
-      for (int x = std::max(0, i - 2); x <= std::min(count_[0] - 1, i + 2); ++x)
-        f(start_[x + count_[0] * z], start_[x + count_[0] * z + 1]);
-  }
-
   double crossing(int c) const {
-    double top = 0;
-    around(c, [&](int first, int last) { top = first < last ? std::max(top, water_[first][1]) : top; });
-    const double dy = 0.25 * l0_;
+    const Column& column = columns_[c];
+    const int i = c % count(0), k = c / count(0);
+    const double l0 = lattice_.l0, dy = 0.25 * l0, bottom = y(column.bottom);
     double above = 0;
-    for (double y = top + 2 * l0_; y > 0; y -= dy) {
-      const double here = fraction(c, y);
+    for (double at = water_.top(i, k, bottom) + 2 * l0; at > bottom; at -= dy) {
+      const double open = 1 - solid_.sum(i, k, at);
+      if (open < least_open) continue;
+      const double here = water_.sum(i, k, at) / open;
       if (here >= 0.5) {
-        const double level = y + dy * (here - 0.5) / (here - above);
-        return closed_ ? std::min(level, size_[1]) : level;
+        const double level = at + dy * (here - 0.5) / (here - above);
+        return closed_ ? std::min(level, y(column.top)) : level;
       }
       above = here;
     }
-    return 0;
+    return bottom;
   }
 
-  double fraction(int c, double y) const {
-    double sum = 0;
-    around(c, [&](int first, int last) {
-      for (int j = first; j < last && water_[j][1] > y - 2 * l0_; ++j) {
-        const Vec<D>& r = water_[j];
-        const double up = w(r[1] - y) + w(r[1] + y);
-        if (up > 0) sum += up * across(r, 0, c % count_[0]) * (D == 3 ? across(r, D - 1, c / count_[0]) : 1);
-      }
-    });
-    return sum;
-  }
-
-  /// Weight of a particle and of its mirror images behind the walls, along one axis, for column number `at`.
-  double across(const Vec<D>& r, int axis, int at) const {
-    const double x = (at + 0.5) * l0_;
-    return w(r[axis] - x) + w(r[axis] + x) + w(2 * size_[axis] - r[axis] - x);
-  }
-
-  double w(double distance) const { return KF4{2}(std::abs(distance) / l0_); }
-
-  Vec<D> size_;  ///< of the tank [m]
+  LiquidLattice<D> lattice_;
   bool closed_;
-  double l0_;
-  int count_[2] = {1, 1};
+  LatticeColumns<D> solid_, water_;
+  std::vector<Column> columns_;
   Scalars height_;
-  std::vector<int> column_, start_, next_;  ///< of each particle (-1: no water); of each column in `water_`; a buffer
-  Vecs<D> water_;
+  std::vector<std::uint8_t> counts_;  ///< a buffer
 };
 
 }  // namespace seiche::solver

@@ -20,7 +20,7 @@ class VolumeSensor : public Sensor<D> {
     return all;
   }
 
-  VolumeSensor(const Parameters&, const State<D>&) {}
+  explicit VolumeSensor(const SensorSite<D>&) {}
 
   void read(const Instant<D>& now, Scalars& values) override {
     values.push_back(now.surface.volume());

@@ -36,23 +36,56 @@ inline Scalars gauge_weights(double x, int columns) {
   return weights;
 }
 
+/// Weights of a row of columns about a gauge at x [l0], those of them alone that are open: the row of open columns
+/// about the gauge, or beside it, goes on beyond its ends as in a mirror. All 0 if none is.
+inline Scalars weights_of_open(double x, const std::vector<bool>& open) {
+  const int count = static_cast<int>(open.size());
+  int nearest = -1;
+  for (int i = 0; i < count; ++i)
+    if (open[i] && (nearest < 0 || std::abs(i + 0.5 - x) < std::abs(nearest + 0.5 - x))) nearest = i;
+  Scalars weights(count, 0);
+  if (nearest < 0) return weights;
+  int first = nearest, last = nearest;
+  while (first > 0 && open[first - 1]) --first;
+  while (last + 1 < count && open[last + 1]) ++last;
+  const Scalars inside = gauge_weights(std::clamp(x - first, 0.0, last + 1.0 - first), last + 1 - first);
+  std::copy(inside.begin(), inside.end(), weights.begin() + first);
+  return weights;
+}
+
 /// Height of the surface along a vertical line, from the surface of the columns within 6 l0: their scatter averages out
 /// while a wave 20 l0 long keeps 99 % of its height.
 class WaveGauge {
  public:
-  /// @param x, z where it stands [l0]
-  /// @param columns, rows of the profile that it reads, along x and z
-  WaveGauge(double x, double z, int columns, int rows) {
-    const Scalars along = gauge_weights(x, columns), across = rows > 1 ? gauge_weights(z, rows) : Scalars{1};
+  /// @param x, z where it stands [m]
+  /// @param level of still liquid [m]: columns that the tank has there count
+  template <int D>
+  WaveGauge(double x, double z, double level, const Shape<D>& tank, const LiquidLattice<D>& lattice) {
+    const auto cells = [&](double at, int axis) { return (at - lattice.corner[axis]) / lattice.l0; };
+    const auto open_along = [&](int axis) {
+      std::vector<bool> open;
+      for (int i = 0; i < lattice.count[axis]; ++i) {
+        Vec<D> r = Vec<3>(x, level, z).template head<D>();
+        r[axis] = lattice.corner[axis] + (i + 0.5) * lattice.l0;
+        open.push_back(tank.nearest(r).distance < 0);
+      }
+      return open;
+    };
+    const Scalars along = weights_of_open(cells(x, 0), open_along(0));
+    const Scalars across = D == 3 ? weights_of_open(cells(z, D - 1), open_along(D - 1)) : Scalars{1};
+    const int columns = static_cast<int>(along.size()), rows = static_cast<int>(across.size());
     for (int k = 0; k < rows; ++k)
       for (int i = 0; i < columns; ++i)
         if (along[i] * across[k] != 0) weights_.push_back({i + columns * k, along[i] * across[k]});
   }
 
-  /// Height above the floor [m], never beyond the columns that it comes from.
+  /// Whether there are columns to read.
+  bool reads() const { return !weights_.empty(); }
+
+  /// The surface's y [m], never beyond the columns that it comes from.
   template <int D>
   double level(const SurfaceProfile<D>& profile) const {
-    double sum = 0, low = std::numeric_limits<double>::infinity(), high = 0;
+    double sum = 0, low = std::numeric_limits<double>::infinity(), high = -low;
     for (const auto& [column, weight] : weights_) {
       const double height = profile.height(column);
       sum += weight * height;
@@ -83,20 +116,21 @@ class WaveGauges : public Sensor<D> {
     return all;
   }
 
-  WaveGauges(const Parameters& p, const State<D>&) : depth_(p.fluid.depth), l0_(p.particles.spacing) {
-    const SurfaceProfile<D> profile(p);
-    for (const auto& gauge : sensors_of(p).gauge)
-      gauges_.emplace_back(gauge.x / l0_, gauge.z / l0_, profile.count(0), profile.count(1));
+  explicit WaveGauges(const SensorSite<D>& site)
+      : level_(site.tank.bounds().low[1] + site.p.fluid.depth), l0_(site.p.particles.spacing) {
+    const LiquidLattice<D> lattice(site.tank.bounds(), site.tank.bounds().high[1], l0_);
+    for (const auto& gauge : sensors_of(site.p).gauge)
+      gauges_.emplace_back(gauge.x, gauge.z, level_, site.tank, lattice);
   }
 
   void read(const Instant<D>& now, Scalars& values) override {
     const double grain = 1e-9 * l0_;
     for (const auto& gauge : gauges_)
-      values.push_back(std::round((gauge.level(now.surface) - depth_) / grain) * grain + 0.0);  // + 0.0: never -0
+      values.push_back(std::round((gauge.level(now.surface) - level_) / grain) * grain + 0.0);  // + 0.0: never -0
   }
 
  private:
-  double depth_, l0_;
+  double level_, l0_;  ///< of still liquid [m]; [m]
   std::vector<WaveGauge> gauges_;
 };
 

@@ -16,7 +16,7 @@ Mps<D>::Mps(const Parameters& p, double sample_interval)
     : p_(p),
       motion_(p.motion),
       tank_(make_shape<D>(p)),
-      run_{.particles = fill_tank<D>(p)},
+      run_{.particles = fill_tank<D>(p, *tank_)},
       near_(p, tank_->bounds().low.array() - wall_layers(p.method) * p.particles.spacing,
             tank_->bounds().high.array() + wall_layers(p.method) * p.particles.spacing, longest_support(p.method)),
       walls_(make_walls<D>(p, near_.density.w)),
@@ -26,7 +26,7 @@ Mps<D>::Mps(const Parameters& p, double sample_interval)
       gradient_(p.method.gradient),
       shift_(p),
       separation_(p),
-      sensors_(p, sample_interval, s_),
+      sensors_({p_, *tank_, s_}, sample_interval),
       watch_(p, *tank_, motion_) {
   count_kinds();
   find_neighbours();

@@ -114,6 +114,11 @@ std::string Box<D>::description() const {
 template class Box<2>;
 template class Box<3>;
 
+bool fits_lattice(const Parameters& p) {
+  const auto fits = [&](double length) { return is_whole(length, p.particles.spacing); };
+  return fits(p.tank.length) && fits(p.tank.height) && fits(p.tank.width);
+}
+
 void check_box(const Parameters& p) {
   check_whole("tank.length", p.tank.length, p.particles.spacing);
   check_whole("tank.height", p.tank.height, p.particles.spacing);

@@ -23,6 +23,9 @@ class Box final : public Shape<D> {
   bool closed_;
 };
 
+/// Whether its sides are whole numbers of spacings.
+bool fits_lattice(const Parameters& p);
+
 /// Throws BadParameters unless its sides are whole numbers of spacings, four at least.
 void check_box(const Parameters& p);
 

@@ -5,7 +5,8 @@
 #include "solver/operators/volume.hpp"
 #include "solver/parameters.hpp"
 #include "solver/particles/state.hpp"
-#include "solver/tank/shape.hpp"
+#include "solver/tank/level.hpp"
+#include "solver/tank/liquid_cells.hpp"
 
 namespace seiche::solver {
 
@@ -19,40 +20,70 @@ inline double longest_support(const Parameters::Method& m) {
 /// support of a wall particle.
 inline int wall_layers(const Parameters::Method& m) { return 1 + static_cast<int>(std::floor(longest_support(m))); }
 
-/// Fluid, wall and dummy particles of a tank at rest on one lattice, l0/2 off the wall's surface; the fluid's pressure
-/// is hydrostatic. Fluid has the first ids, then walls, then dummies. A particle beyond a wall has its normal, out of
-/// the tank, or none where it is beyond an edge.
+/// Adds the liquid at rest below the level: a particle for each cell of its lattice, in cells that a wall cuts as many
+/// as their liquid fills, each at the centroid of that. N l0^D is the liquid's volume within half a particle. The
+/// pressure is hydrostatic.
+template <int D>
+void add_liquid(const Parameters& p, const Shape<D>& tank, State<D>& s) {
+  using Cell = typename LiquidLattice<D>::Cell;
+  const Bounds<D> bounds = tank.bounds();
+  const double l0 = p.particles.spacing, level = bounds.low[1] + p.fluid.depth;
+  const double end = p.fluid.column > 0 ? bounds.low[0] + p.fluid.column : bounds.high[0];
+  const LiquidLattice<D> lattice(bounds, level, l0);
+  struct Part {
+    Cell cell;
+    CellPart<D> inside;
+  };
+  std::vector<Part> parts;
+  CutCells<D> cut;
+  long whole = 0;
+  lattice.each([&](const Cell& cell) {
+    const CellPart<D> inside = part_inside(tank, lattice.centre(cell), l0);
+    if (inside.share == 0 || inside.centroid[0] > end) return;
+    parts.push_back({cell, inside});
+    if (inside.share == 1)
+      ++whole;
+    else
+      cut.add(cell, inside.share);
+  });
+  // Liquid that begins as a column stands in a box, which cuts no cell.
+  if (whole < static_cast<long>(parts.size()))
+    cut.choose(std::lround(volume_below(tank.surface(), level) / std::pow(l0, D)) - whole);
+  for (const auto& [cell, inside] : parts) {
+    if (inside.share < 1 && !cut.has_particle(cell)) continue;
+    s.add(inside.centroid, Kind::fluid, Vec<D>::Zero());
+    s.pressure.back() = p.fluid.density * p.gravity * (level - inside.centroid[1]);
+  }
+}
+
+/// Adds the wall particles and dummies.
+template <int D>
+void add_walls(const Parameters& p, const Shape<D>& tank, State<D>& s) {
+  const double l0 = p.particles.spacing;
+  const auto points = tank.wall_points(wall_layers(p.method), l0, longest_support(p.method) * l0);
+  for (const Kind kind : {Kind::wall, Kind::dummy})
+    for (const WallPoint<D>& point : points) {
+      if ((point.layer == 0) != (kind == Kind::wall)) continue;
+      s.add(point.position, kind, point.normal, point.weight);
+      if (point.faces.empty()) continue;
+      s.edge.back() = static_cast<int>(s.edges.size());
+      s.edges.push_back(point.faces);
+    }
+}
+
+/// Fluid, wall and dummy particles of a tank at rest. Fluid has the first ids, then walls, then dummies. A particle
+/// beyond a wall has its normal, out of the tank, or none where it is beyond an edge.
+template <int D>
+State<D> fill_tank(const Parameters& p, const Shape<D>& tank) {
+  State<D> s;
+  add_liquid(p, tank, s);
+  add_walls(p, tank, s);
+  return s;
+}
+
 template <int D>
 State<D> fill_tank(const Parameters& p) {
-  const auto shape = make_shape<D>(p);
-  const Bounds<D> bounds = shape->bounds();
-  const double l0 = p.particles.spacing;
-  const int layers = wall_layers(p.method);
-  const double column = p.fluid.column > 0 ? p.fluid.column : bounds.size()[0];
-  using Cell = Eigen::Matrix<int, D, 1>;
-  const Cell first = (bounds.low.array() / l0).round().template cast<int>() - layers;
-  Cell last = (bounds.high.array() / l0).round().template cast<int>() + layers;
-  if (!shape->is_closed()) last[1] -= layers;
-
-  State<D> fluids, walls, dummies;
-  for (Cell c = first; c[D - 1] < last[D - 1];) {
-    const Vec<D> r = (c.template cast<double>().array() + 0.5) * l0;
-    const Nearest<D> wall = shape->nearest(r);
-    if (wall.distance < 0) {
-      if (r[1] < p.fluid.depth && r[0] < bounds.low[0] + column) {
-        fluids.add(r, Kind::fluid, Vec<D>::Zero());
-        fluids.pressure.back() = p.fluid.density * p.gravity * (p.fluid.depth - r[1]);
-      }
-    } else {
-      const bool beyond_edge = (r - wall.foot - wall.distance * wall.normal).norm() > 1e-6 * l0;
-      (wall.distance < l0 ? walls : dummies)
-          .add(r, wall.distance < l0 ? Kind::wall : Kind::dummy, beyond_edge ? Vec<D>(Vec<D>::Zero()) : wall.normal);
-    }
-    for (int a = 0; ++c[a] == last[a] && a < D - 1; ++a) c[a] = first[a];
-  }
-  for (const State<D>* more : {&walls, &dummies})
-    for (std::size_t i = 0; i < more->size(); ++i) fluids.add(more->position[i], more->kind[i], more->normal[i]);
-  return fluids;
+  return fill_tank<D>(p, *make_shape<D>(p));
 }
 
 }  // namespace seiche::solver

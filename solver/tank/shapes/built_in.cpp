@@ -86,7 +86,8 @@ Extruded membrane(double breadth, double height, const Vec<2>& lower_chamfer, co
   return {Section(Contour({std::move(edges)}), std::move(names)), -0.5 * length, 0.5 * length};
 }
 
-Revolved cylinder(double radius, double length, int axis, Head ends) {
+Revolved cylinder(double radius, double length, Axis along, Head ends) {
+  const int axis = static_cast<int>(along);
   check_positive("radius", radius);
   check_positive("length", length);
   const std::vector<Edge> head = head_profile(ends, radius, 2);

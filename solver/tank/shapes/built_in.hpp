@@ -18,9 +18,9 @@ Extruded membrane(double breadth, double height, const Vec<2>& lower_chamfer, co
                   double length);
 
 /// @param length of the straight shell: heads come on top of it
-/// @param axis 0, 1 or 2: along x, upright, along z. Patches: shell, then lower_head and upper_head (upright),
-///        left_head and right_head (along x), near_head and far_head (along z).
-Revolved cylinder(double radius, double length, int axis, Head ends);
+/// Patches: shell, then lower_head and upper_head (upright), left_head and right_head (along x), near_head and far_head
+/// (along z).
+Revolved cylinder(double radius, double length, Axis axis, Head ends);
 
 /// Its only patch is the shell.
 Revolved sphere(double radius);

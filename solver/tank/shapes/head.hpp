@@ -1,12 +1,10 @@
 #pragma once
 #include <vector>
 
+#include "solver/choice.hpp"
 #include "solver/tank/edge.hpp"
 
 namespace seiche::solver {
-
-/// Ends of a cylinder.
-enum class Head { flat, hemispherical, elliptical, torispherical };
 
 /// The profile of a head on a shell of that radius, by (radius, height above the shell's end) [m]: edges from the shell
 /// to the axis. Tangent to the shell but where flat.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "solver/errors.hpp"
 #include "solver/tank/shapes/crossings.hpp"
@@ -17,12 +16,12 @@ namespace {
 using Edges = std::vector<Edge>;
 
 template <class Tank>
-void check_met(const Tank& tank, const SlicePlane& plane) {
+void check_met(const Tank& tank, const SectionPlane& plane) {
   const Bounds<3> bounds = tank.bounds();
-  if (plane.at > bounds.low[plane.axis] && plane.at < bounds.high[plane.axis]) return;
-  const char name = "xyz"[plane.axis];
+  const int axis = static_cast<int>(plane.axis);
+  if (plane.at > bounds.low[axis] && plane.at < bounds.high[axis]) return;
   throw BadParameters(fmt::format("the section {} = {:.6g} m misses the tank, which goes from {} = {:.6g} to {:.6g} m",
-                                  name, plane.at, name, bounds.low[plane.axis], bounds.high[plane.axis]));
+                                  name(plane.axis), plane.at, name(plane.axis), bounds.low[axis], bounds.high[axis]));
 }
 
 /// Names of those patches alone that edges have, which are numbered anew.
@@ -101,24 +100,9 @@ Edges circle(const Vec<2>& centre, double radius, int patch) {
 
 }  // namespace
 
-SlicePlane read_slice_plane(const std::string& text) {
-  std::string packed = text;
-  std::erase(packed, ' ');
-  const char axis = packed.empty() ? '?' : packed[0];
-  char* end = nullptr;
-  const bool begins = packed.size() > 2 && (axis == 'x' || axis == 'y' || axis == 'z') && packed[1] == '=';
-  const double at = begins ? std::strtod(packed.c_str() + 2, &end) : 0;
-  if (!begins || *end != '\0' || !std::isfinite(at))
-    throw BadParameters(fmt::format("section = \"{}\" is no plane; give one as in \"z=0\" or \"x=0.1\" [m]", text));
-  if (axis == 'y')
-    throw BadParameters(fmt::format(
-        "section = \"{}\" is level, so that gravity lies across it; take a plane of x or of z, as in \"z=0\"", text));
-  return {axis == 'x' ? 0 : 2, at};
-}
-
-Section slice(const Extruded& tank, const SlicePlane& plane) {
+Section slice(const Extruded& tank, const SectionPlane& plane) {
   check_met(tank, plane);
-  if (plane.axis == 2) return tank.section();
+  if (plane.axis == Axis::z) return tank.section();
   // A rectangle for each piece of the line x = at.
   std::vector<std::string> names = tank.section().patches();
   const int near = static_cast<int>(names.size());
@@ -136,14 +120,14 @@ Section slice(const Extruded& tank, const SlicePlane& plane) {
   return with_its_patches(std::move(loops), names);
 }
 
-Section slice(const Revolved& tank, const SlicePlane& plane) {
+Section slice(const Revolved& tank, const SectionPlane& plane) {
   check_met(tank, plane);
-  const double offset = std::abs(plane.at - tank.origin()[plane.axis]);
-  const int across = 2 - plane.axis;  // the run's x
+  const int axis = static_cast<int>(plane.axis), across = 2 - axis;  // the run's x
+  const double offset = std::abs(plane.at - tank.origin()[axis]);
   const Vec<2> origin(tank.origin()[across], tank.origin()[1]);
   std::vector<Edges> loops;
-  if (tank.axis() == plane.axis) {
-    const std::vector<Crossing> ends = crossings(tank.half(), 1, plane.at - tank.origin()[plane.axis]);
+  if (tank.axis() == axis) {
+    const std::vector<Crossing> ends = crossings(tank.half(), 1, plane.at - tank.origin()[axis]);
     for (const Crossing& end : ends)
       if (end.at > 1e-9 * tank.half().bounds().size().maxCoeff()) loops.push_back(circle(origin, end.at, end.patch));
     return with_its_patches(std::move(loops), tank.patches());

@@ -16,7 +16,7 @@ struct Box {
 
 inline SurfaceMesh surface_of(const Box& box) {
   Parameters p;
-  p.tank = {box.length, box.height, box.width, box.closed};
+  p.tank = {.length = box.length, .height = box.height, .width = box.width, .closed = box.closed};
   return tank_surface(p);
 }
 

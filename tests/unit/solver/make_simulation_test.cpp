@@ -28,7 +28,7 @@ TEST(Simulation, EndsWhereTheSolverDoesNotConverge) {
 
 TEST(Simulation, OfAnOpenTankTakesOutAndCountsWhatSpills) {
   Parameters p = surging(2);
-  p.tank = {0.1, 0.05, 0, false};
+  p.tank = {.length = 0.1, .height = 0.05, .width = 0, .closed = false};
   p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.05, 3}};
   const auto simulation = make_simulation(p, 0);
   const FramePtr before = simulation->frame(0);

@@ -35,7 +35,7 @@ TEST(CheckParameters, WantsWholeNumbersOfSpacings) {
 TEST(CheckParameters, ForgivesTheRoundingOfDecimals) {
   Parameters p;
   p.particles.spacing = 0.1 + 0.2;  // not 0.3
-  p.tank = {3, 2.4, 1.2, true};
+  p.tank = {.length = 3, .height = 2.4, .width = 1.2, .closed = true};
   p.fluid.depth = 1.2;
   EXPECT_NO_THROW(check_parameters(p));
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include "solver/sensors/fluid_cells.hpp"
+#include "solver/sensors/sensor.hpp"
 #include "solver/tank/filling.hpp"
 #include "tests/unit/solver/still_tank.hpp"
 
@@ -9,16 +9,21 @@ namespace seiche::solver::test {
 template <int D>
 struct SensedTank {
   Parameters p;
-  State<D> s = fill_tank<D>(p);
+  std::shared_ptr<const Shape<D>> shape = make_shape<D>(p);
+  State<D> s = fill_tank<D>(p, *shape);
   double weight = p.fluid.density * p.gravity;  ///< rho g [Pa/m]
 
   explicit SensedTank(const Parameters& parameters = small_tank<D>()) : p(parameters) {}
 
   FluidCells<D> cells() const {
-    FluidCells<D> cells(p);
+    FluidCells<D> cells(shape->bounds(), p.particles.spacing);
     cells.sort(s);
     return cells;
   }
+
+  SensorSite<D> site() const { return {p, *shape, s}; }
+
+  SurfaceProfile<D> profile() const { return {*shape, p.particles.spacing, s}; }
 
   /// A point in 2-D; in 3-D midway across.
   static Vec<D> at(double x, double y) {

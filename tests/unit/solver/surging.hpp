@@ -7,7 +7,7 @@ namespace seiche::test {
 inline Parameters surging(int dimension) {
   Parameters p;
   p.particles.spacing = 0.01;
-  p.tank = {0.1, 0.1, dimension == 3 ? 0.05 : 0, true};
+  p.tank = {.length = 0.1, .height = 0.1, .width = dimension == 3 ? 0.05 : 0, .closed = true};
   p.fluid.depth = 0.05;
   p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.01, 2}};
   p.threads = 2;

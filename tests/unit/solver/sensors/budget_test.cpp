@@ -14,7 +14,7 @@ struct BudgetOf : ::testing::Test {
   SensedTank<D> tank;
   double mass = 1000 * 0.2 * 0.1 * (D == 3 ? 0.12 : 1);
 
-  Budget<D> read(const RigidState& pose = {}) const { return budget(tank.s, tank.p, pose); }
+  Budget<D> read(const RigidState& pose = {}) const { return budget(tank.s, tank.p, 0.5 * tank.p.fluid.depth, pose); }
 };
 TYPED_TEST_SUITE(BudgetOf, test::Dimensions);
 

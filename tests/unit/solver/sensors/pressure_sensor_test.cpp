@@ -15,7 +15,7 @@ struct PressureSensorOf : ::testing::Test {
   SensedTank<D> tank;
 
   double read(double x, double y, double side, PressureReading reading = PressureReading::mean) const {
-    return PressureSensor<D>({"s", x, y, D == 3 ? 0.06 : 0, side, reading}, tank.p).read(tank.s, tank.cells());
+    return PressureSensor<D>({"s", x, y, D == 3 ? 0.06 : 0, side, reading}, *tank.shape, l0).read(tank.s, tank.cells());
   }
   double highest(double x, double y, double side) const { return read(x, y, side, PressureReading::maximum); }
   /// 2000 + 10 x - 30 y (+ 20 z), lengths in l0.

@@ -39,7 +39,7 @@ struct SampledTank : ::testing::Test {
 };
 
 TEST_F(SampledTank, InterpolatesToExactSampleTimes) {
-  Sensors<2> sensors(p, 0.01, s);
+  Sensors<2> sensors({p, *make_shape<2>(p), s}, 0.01);
   SensorMemory memory;
   start(sensors, memory, ramp(0));
   for (double t : {0.004, 0.011, 0.0195, 0.0445, 0.05}) step(sensors, memory, t, ramp(t));
@@ -55,7 +55,7 @@ TEST_F(SampledTank, InterpolatesToExactSampleTimes) {
 // A thousand samples a second from steps that are much shorter, a little shorter and longer than a sample.
 TEST_F(SampledTank, SamplesAtOneKilohertzWhateverTheStep) {
   for (double dt : {0.00013, 0.00071, 0.001, 0.0013, 0.0047}) {
-    Sensors<2> sensors(p, 0.001, s);
+    Sensors<2> sensors({p, *make_shape<2>(p), s}, 0.001);
     SensorMemory memory;
     start(sensors, memory, ramp(0));
     for (int k = 1; k * dt <= 0.0501; ++k) step(sensors, memory, k * dt, ramp(k * dt));
@@ -70,7 +70,7 @@ TEST_F(SampledTank, SamplesAtOneKilohertzWhateverTheStep) {
 
 // Only the step around a sample matters: the pressures between are nonsense, and aren't seen.
 TEST_F(SampledTank, InterpolatesOverTheStepAroundTheSampleAlone) {
-  Sensors<2> sensors(p, 0.01, s);
+  Sensors<2> sensors({p, *make_shape<2>(p), s}, 0.01);
   SensorMemory memory;
   start(sensors, memory, 1);
   for (double t : {0.002, 0.004, 0.006}) step(sensors, memory, t, 1e6);
@@ -82,7 +82,7 @@ TEST_F(SampledTank, InterpolatesOverTheStepAroundTheSampleAlone) {
 }
 
 TEST_F(SampledTank, TakesEachReadingOnce) {
-  Sensors<2> sensors(p, 0.01, s);
+  Sensors<2> sensors({p, *make_shape<2>(p), s}, 0.01);
   SensorMemory memory;
   start(sensors, memory, 1);
   step(sensors, memory, 0.015, 2);
@@ -95,7 +95,7 @@ TEST_F(SampledTank, TakesEachReadingOnce) {
 }
 
 TEST_F(SampledTank, ASampleAtTheVeryEndOfAStepIsTaken) {
-  Sensors<2> sensors(p, 0.1, s);
+  Sensors<2> sensors({p, *make_shape<2>(p), s}, 0.1);
   SensorMemory memory;
   double time = 0;
   start(sensors, memory, 0);
@@ -104,7 +104,7 @@ TEST_F(SampledTank, ASampleAtTheVeryEndOfAStepIsTaken) {
 }
 
 TEST_F(SampledTank, HasNoReadingsWithoutAnInterval) {
-  Sensors<2> sensors(p, 0, s);
+  Sensors<2> sensors({p, *make_shape<2>(p), s}, 0);
   SensorMemory memory;
   start(sensors, memory, 1);
   step(sensors, memory, 1, 1);
@@ -120,7 +120,7 @@ TEST_F(SampledTank, HasAValueForEveryColumnAndNoOther) {
     p.sensors.force = off & 1;
     p.sensors.energy = off & 2;
     p.sensors.volume = off & 4;
-    Sensors<2> sensors(p, 0.1, s);
+    Sensors<2> sensors({p, *make_shape<2>(p), s}, 0.1);
     SensorMemory memory;
     sensors.read(s, memory);
     const Readings readings = std::exchange(memory.readings, {});
@@ -143,7 +143,7 @@ TYPED_TEST(SensorsOf, ReadStillWaterInTheCornerAndAtBothEnds) {
   constexpr int D = TypeParam::D;
   const Parameters p = test::small_tank<D>();
   const State<D> s = fill_tank<D>(p);
-  Sensors<D> sensors(p, 0.01, s);
+  Sensors<D> sensors({p, *make_shape<D>(p), s}, 0.01);
   SensorMemory memory;
   sensors.read(s, memory);
   const Readings readings = std::exchange(memory.readings, {});
@@ -161,7 +161,7 @@ TYPED_TEST(SensorsOf, TellLeftFromRight) {
   State<D> s = fill_tank<D>(p);
   for (std::size_t i = 0; i < s.size(); ++i)
     if (s.kind[i] == Kind::fluid) s.position[i][1] += s.position[i][0] < 0.1 ? 0.02 : 0.01;
-  Sensors<D> sensors(p, 0.01, s);
+  Sensors<D> sensors({p, *make_shape<D>(p), s}, 0.01);
   SensorMemory memory;
   sensors.read(s, memory);
   const Readings readings = std::exchange(memory.readings, {});

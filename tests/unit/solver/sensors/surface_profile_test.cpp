@@ -15,7 +15,7 @@ struct SurfaceProfileOf : ::testing::Test {
   SensedTank<D> tank;
 
   SurfaceProfile<D> profile() const {
-    SurfaceProfile<D> surface(tank.p);
+    SurfaceProfile<D> surface = tank.profile();
     surface.find(tank.s, tank.cells());
     return surface;
   }

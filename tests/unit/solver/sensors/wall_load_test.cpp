@@ -17,14 +17,17 @@ struct WallLoadOf : ::testing::Test {
   double weight = 1000 * 9.81 * 0.2 * 0.1 * wide;     ///< of the water
   double end = 1000 * 9.81 * 0.5 * 0.1 * 0.1 * wide;  ///< force on an end wall
 
-  Load<D> load() const { return WallLoad<D>(tank.p, tank.s).read(tank.s, tank.cells()); }
+  Load<D> load_on(const SurfaceMesh& wall) const {
+    const auto& motion = tank.p.motion;
+    return WallLoad<D>(wall, {motion.pivot_x, motion.pivot_y}, l0).read(tank.s, tank.cells());
+  }
+  Load<D> load() const { return load_on(tank.shape->surface()); }
 
-  /// Load on the walls whose normal has `sign` along `axis`, alone.
-  Load<D> load_on(int axis, double sign) const {
-    State<D> walls = tank.s;
-    for (auto& normal : walls.normal)
-      if (normal[axis] != sign) normal.setZero();
-    return WallLoad<D>(tank.p, walls).read(tank.s, tank.cells());
+  /// Load on one patch alone.
+  Load<D> load_on(const char* name) const {
+    SurfaceMesh wall = tank.shape->surface();
+    std::erase_if(wall.patches, [&](const SurfaceMesh::Patch& patch) { return patch.name != name; });
+    return load_on(wall);
   }
 };
 TYPED_TEST_SUITE(WallLoadOf, test::Dimensions);
@@ -37,22 +40,22 @@ TYPED_TEST(WallLoadOf, StillWaterPressesWithItsWeight) {
 }
 
 TYPED_TEST(WallLoadOf, OnEachWallIsThatOfAHydrostaticPressure) {
-  EXPECT_NEAR(this->load_on(0, -1).force[0], -this->end, 1e-10 * this->end);
-  EXPECT_NEAR(this->load_on(0, 1).force[0], this->end, 1e-10 * this->end);
-  EXPECT_NEAR(this->load_on(1, -1).force[1], -this->weight, 1e-10 * this->weight);
-  EXPECT_EQ(this->load_on(1, 1).force[1], 0) << "the roof is dry";
+  EXPECT_NEAR(this->load_on("left").force[0], -this->end, 1e-10 * this->end);
+  EXPECT_NEAR(this->load_on("right").force[0], this->end, 1e-10 * this->end);
+  EXPECT_NEAR(this->load_on("floor").force[1], -this->weight, 1e-10 * this->weight);
+  EXPECT_EQ(this->load_on("roof").force[1], 0) << "the roof is dry";
 }
 
 TYPED_TEST(WallLoadOf, MomentOfTheHydrostaticPressureIsExact) {
   // The end walls are pressed at a third of the depth, the floor in its middle.
   const double arm = 0.1 / 3;
-  EXPECT_NEAR(this->load_on(0, -1).moment, this->end * arm, 1e-10 * this->end);
-  EXPECT_NEAR(this->load_on(0, 1).moment, -this->end * arm, 1e-10 * this->end);
+  EXPECT_NEAR(this->load_on("left").moment, this->end * arm, 1e-10 * this->end);
+  EXPECT_NEAR(this->load_on("right").moment, -this->end * arm, 1e-10 * this->end);
   EXPECT_NEAR(this->load().moment, -this->weight * 0.1, 1e-10 * this->weight);
   this->tank.p.motion.pivot_x = 0.03;
   this->tank.p.motion.pivot_y = 0.25;
   EXPECT_NEAR(this->load().moment, -this->weight * 0.07, 1e-10 * this->weight);
-  EXPECT_NEAR(this->load_on(0, 1).moment, -this->end * (arm - 0.25), 1e-10 * this->end);
+  EXPECT_NEAR(this->load_on("right").moment, -this->end * (arm - 0.25), 1e-10 * this->end);
 }
 
 TYPED_TEST(WallLoadOf, TiltedFieldPressesSideways) {
@@ -77,7 +80,7 @@ TYPED_TEST(WallLoadOf, ASquareCutByTheSurfaceIsRightToSecondOrder) {
       p = 9810 * (depth - r[1]);
     });
     const double exact = 9810 * 0.5 * depth * depth * this->wide;
-    EXPECT_NEAR(this->load_on(0, 1).force[0], exact, 0.011 * exact * std::pow(l0 / depth, 2)) << tenths;
+    EXPECT_NEAR(this->load_on("right").force[0], exact, 0.011 * exact * std::pow(l0 / depth, 2)) << tenths;
   }
 }
 
@@ -87,8 +90,8 @@ TYPED_TEST(WallLoadOf, WaterThatDoesNotTouchDoesNotPress) {
     r[0] = 0.05 + 0.5 * r[0];
     p = 1000;
   });
-  EXPECT_EQ(this->load_on(0, 1).force[0], 0);
-  EXPECT_EQ(this->load_on(0, -1).force[0], 0);
+  EXPECT_EQ(this->load_on("right").force[0], 0);
+  EXPECT_EQ(this->load_on("left").force[0], 0);
   EXPECT_LT(this->load().force[1], -900 * 0.1 * this->wide);
 }
 

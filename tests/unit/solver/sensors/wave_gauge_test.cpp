@@ -21,9 +21,9 @@ struct WaveGaugeOf : ::testing::Test {
 
   /// Of a gauge at x, midway across.
   double level(double x) const {
-    SurfaceProfile<D> surface(tank.p);
+    SurfaceProfile<D> surface = tank.profile();
     surface.find(tank.s, tank.cells());
-    return WaveGauge(x / l0, 0.06 / l0, surface.count(0), surface.count(1)).level(surface);
+    return WaveGauge(x, 0.06, 0.1, *tank.shape, surface.lattice()).level(surface);
   }
 };
 TYPED_TEST_SUITE(WaveGaugeOf, test::Dimensions);
@@ -67,7 +67,7 @@ TYPED_TEST(WaveGaugeOf, ScattersLessThanItsColumns) {
   for (int k = 0; k < 10; ++k) {
     this->tank = SensedTank<D>();
     this->tank.each_fluid([&](Vec<D>& r, double&) { r += 0.25 * l0 * test::random_vec<D>(random, -1, 1); });
-    SurfaceProfile<D> surface(this->tank.p);
+    SurfaceProfile<D> surface = this->tank.profile();
     surface.find(this->tank.s, this->tank.cells());
     for (double x : {0., 0.1, 0.2}) gauges += std::pow(this->level(x) - 0.1, 2) / 30;
     for (int c = 0; c < 20; ++c) columns += std::pow(surface.height(c) - 0.1, 2) / 200;

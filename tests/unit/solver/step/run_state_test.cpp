@@ -91,7 +91,7 @@ TEST(RunState, ResumesWallsThatHaveUnknownsOfTheMixedSource) {
 
 TEST(RunState, ResumesARunThatSpills) {
   Parameters p = test::surging(2);
-  p.tank = {0.1, 0.05, 0, false};
+  p.tank = {.length = 0.1, .height = 0.05, .width = 0, .closed = false};
   p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.05, 3}};
   expect_resumes<2>(p);
 }

@@ -12,7 +12,7 @@ template <class T, int D = T::D>
 struct BoxOf : ::testing::Test {
   static Parameters parameters(bool closed) {
     Parameters p;
-    p.tank = {0.6, 0.4, D == 3 ? 0.3 : 0, closed};
+    p.tank = {.length = 0.6, .height = 0.4, .width = D == 3 ? 0.3 : 0, .closed = closed};
     return p;
   }
   Box<D> closed{parameters(true)}, open{parameters(false)};

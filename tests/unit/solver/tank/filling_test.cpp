@@ -107,5 +107,85 @@ TYPED_TEST(FilledTank, IsAtRestUnderHydrostaticPressure) {
   }
 }
 
+/// A tank of any shape about half a metre large, 20 spacings deep.
+struct AnyTank {
+  const char* name;
+  Parameters p;
+};
+
+std::vector<AnyTank> any_tanks() {
+  std::vector<AnyTank> all;
+  const auto add = [&](const char* name, const Parameters::Tank& tank, double depth, double spacing) {
+    Parameters p;
+    p.tank = tank;
+    p.fluid.depth = depth;
+    p.particles.spacing = spacing;
+    all.push_back({name, p});
+  };
+  add("box of no whole spacings", {.length = 0.9, .height = 0.508}, 0.093, 0.003);
+  add("prism", {.shape = TankShape::prism, .length = 0, .height = 0, .points = {{0, 1}, {0.5, 1.2}, {0.1, 1.6}}}, 0.3,
+      0.015);
+  add("disc", {.shape = TankShape::sphere, .length = 0, .height = 0, .radius = 0.25, .section = SectionPlane{}}, 0.31,
+      0.0125);
+  add("membrane",
+      {.shape = TankShape::membrane,
+       .length = 0.5,
+       .height = 0.4,
+       .breadth = 0.6,
+       .lower_chamfer = {0.1, 0.08},
+       .upper_chamfer = {0.1, 0.1}},
+      0.2, 0.017);
+  add("sphere", {.shape = TankShape::sphere, .length = 0, .height = 0, .radius = 0.25}, 0.25, 0.021);
+  add("lying cylinder",
+      {.shape = TankShape::cylinder,
+       .length = 0.5,
+       .height = 0,
+       .radius = 0.2,
+       .axis = Axis::x,
+       .ends = Head::torispherical},
+      0.13, 0.02);
+  return all;
+}
+
+template <int D>
+void expect_filled(const Parameters& p) {
+  const auto tank = make_shape<D>(p);
+  const State<D> s = fill_tank<D>(p, *tank);
+  const double level = tank->bounds().low[1] + p.fluid.depth, cell = std::pow(p.particles.spacing, D);
+  long fluid = 0;
+  double solid = 0;
+  Vec<D> centre = Vec<D>::Zero();
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const double distance = tank->nearest(s.position[i]).distance;
+    if (s.kind[i] != Kind::fluid) {
+      EXPECT_GT(distance, 0.4 * p.particles.spacing);
+      solid += s.volume[i];
+      continue;
+    }
+    ++fluid;
+    centre += s.position[i];
+    EXPECT_LT(distance, 0);
+    EXPECT_NEAR(s.pressure[i], 1000 * 9.81 * (level - s.position[i][1]), 1e-9);
+    EXPECT_GT(s.pressure[i], 0);
+  }
+  const double volume = volume_below(tank->surface(), level);
+  EXPECT_NEAR(fluid * cell, volume, 0.51 * cell);
+  if (p.tank.shape != TankShape::prism) {
+    EXPECT_NEAR(centre[0] / fluid, 0.5 * (tank->bounds().low[0] + tank->bounds().high[0]), 1e-3 * p.fluid.depth);
+  }
+  // Three layers: some 3 l0 times the wall's area, more for the corners outside.
+  EXPECT_GT(solid * cell, 3 * p.particles.spacing * area_of(tank->surface()) * 0.99);
+}
+
+TEST(FillTank, HoldsTheLiquidsVolumeInAnyTank) {
+  for (const AnyTank& tank : any_tanks()) {
+    SCOPED_TRACE(tank.name);
+    if (tank.p.dimension() == 3)
+      expect_filled<3>(tank.p);
+    else
+      expect_filled<2>(tank.p);
+  }
+}
+
 }  // namespace
 }  // namespace seiche::solver

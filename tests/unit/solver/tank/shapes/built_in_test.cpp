@@ -60,28 +60,28 @@ TEST(Membrane, LeavesOutSidesOfNoLength) {
 
 TEST(Cylinder, HasTheVolumeOfItsShellAndHeads) {
   const double r = 0.3, shell = pi * r * r * 0.8;
-  EXPECT_NEAR(cylinder(r, 0.8, 1, Head::flat).volume(), shell, 1e-14);
-  EXPECT_NEAR(cylinder(r, 0.8, 0, Head::hemispherical).volume(), shell + 4 * pi / 3 * r * r * r, 1e-14);
-  EXPECT_NEAR(cylinder(r, 0.8, 2, Head::elliptical).volume(), shell + 2 * pi / 3 * r * r * r, 1e-7);
+  EXPECT_NEAR(cylinder(r, 0.8, Axis::y, Head::flat).volume(), shell, 1e-14);
+  EXPECT_NEAR(cylinder(r, 0.8, Axis::x, Head::hemispherical).volume(), shell + 4 * pi / 3 * r * r * r, 1e-14);
+  EXPECT_NEAR(cylinder(r, 0.8, Axis::z, Head::elliptical).volume(), shell + 2 * pi / 3 * r * r * r, 1e-7);
   // Kloepper's head holds about 0.1 D^3.
-  EXPECT_NEAR((cylinder(r, 0.8, 2, Head::torispherical).volume() - shell) / 2 / (8 * r * r * r), 0.1, 0.002);
+  EXPECT_NEAR((cylinder(r, 0.8, Axis::z, Head::torispherical).volume() - shell) / 2 / (8 * r * r * r), 0.1, 0.002);
 }
 
 TEST(Cylinder, StandsOrLiesOnItsLowestPoint) {
-  const Revolved upright = cylinder(0.3, 0.8, 1, Head::hemispherical);
+  const Revolved upright = cylinder(0.3, 0.8, Axis::y, Head::hemispherical);
   EXPECT_LT((upright.bounds().low - Vec<3>(-0.3, 0, -0.3)).norm(), 1e-15);
   EXPECT_LT((upright.bounds().high - Vec<3>(0.3, 1.4, 0.3)).norm(), 1e-15);
-  const Revolved lying = cylinder(0.3, 0.8, 0, Head::elliptical);
+  const Revolved lying = cylinder(0.3, 0.8, Axis::x, Head::elliptical);
   EXPECT_LT((lying.bounds().low - Vec<3>(-0.55, 0, -0.3)).norm(), 1e-15);
   EXPECT_LT((lying.bounds().high - Vec<3>(0.55, 0.6, 0.3)).norm(), 1e-15);
-  const Revolved across = cylinder(0.3, 0.8, 2, Head::flat);
+  const Revolved across = cylinder(0.3, 0.8, Axis::z, Head::flat);
   EXPECT_LT((across.bounds().low - Vec<3>(-0.3, 0, -0.4)).norm(), 1e-15);
 }
 
 TEST(Cylinder, NamesItsHeadsByWhereTheyAre) {
-  EXPECT_EQ(cylinder(0.3, 0.8, 1, Head::flat).patches(), (Names{"shell", "lower_head", "upper_head"}));
+  EXPECT_EQ(cylinder(0.3, 0.8, Axis::y, Head::flat).patches(), (Names{"shell", "lower_head", "upper_head"}));
   for (const int axis : {0, 1, 2}) {
-    const Revolved tank = cylinder(0.3, 0.8, axis, Head::torispherical);
+    const Revolved tank = cylinder(0.3, 0.8, static_cast<Axis>(axis), Head::torispherical);
     Vec<3> end = tank.origin();
     EXPECT_EQ(tank.nearest(end).patch, 1);
     end[axis] = tank.bounds().high[axis];
@@ -106,7 +106,7 @@ TEST(BuiltIn, RefusesNumbersThatDontFit) {
   EXPECT_TRUE(test::tells(refusal([] { sphere(-1); }), {"radius", "-1 m"}));
   EXPECT_TRUE(test::tells(refusal([] { membrane(1, 1, {0.6, 0.6}, {0, 0}, 1); }), {"lower chamfer", "0.6", "0.5 m"}));
   EXPECT_TRUE(test::tells(refusal([] { membrane(1, 1, {0.4, 0.6}, {0.4, 0.5}, 1); }), {"0.6 and 0.5", "1 m"}));
-  EXPECT_TRUE(test::tells(refusal([] { cylinder(1, std::nan(""), 1, Head::flat); }), {"length"}));
+  EXPECT_TRUE(test::tells(refusal([] { cylinder(1, std::nan(""), Axis::y, Head::flat); }), {"length"}));
   EXPECT_TRUE(test::tells(refusal([] { revolve({{0, 0}, {1, -0.1}, {2, 0}}); }), {"point 2", "-0.1 m"}));
   EXPECT_TRUE(test::tells(refusal([] { revolve({{0, 0}}); }), {"1 points", "two"}));
 }

@@ -30,7 +30,7 @@ Extruded round_tank() {
 
 TEST(Extruded, OfABoxHasTheBoxesLatticeBehindItsWalls) {
   Parameters p;
-  p.tank = {0.2, 0.15, 0.12, true};
+  p.tank = {.length = 0.2, .height = 0.15, .width = 0.12, .closed = true};
   test::expect_same<3>(prism({{0, 0}, {0.2, 0}, {0.2, 0.15}, {0, 0.15}}, 0.12).wall_points(layers, l0, reach),
                        Box<3>(p).wall_points(layers, l0, reach), l0);
 }

@@ -35,10 +35,10 @@ TEST(Revolved, OfASphereIsExact) {
 /// Bodies about each axis, with corners, heads, a reentrant edge and a hole.
 std::vector<Revolved> bodies() {
   return {sphere(0.1),
-          cylinder(0.08, 0.1, 1, Head::flat),
-          cylinder(0.08, 0.1, 0, Head::elliptical),
-          cylinder(0.08, 0.1, 2, Head::torispherical),
-          cylinder(0.08, 0.06, 0, Head::hemispherical),
+          cylinder(0.08, 0.1, Axis::y, Head::flat),
+          cylinder(0.08, 0.1, Axis::x, Head::elliptical),
+          cylinder(0.08, 0.1, Axis::z, Head::torispherical),
+          cylinder(0.08, 0.06, Axis::x, Head::hemispherical),
           revolve({{0, 0}, {0.06, 0.08}, {0.12, 0.05}, {0.12, 0.09}, {0.2, 0}}),
           revolve({{0, 0.05}, {0, 0.12}, {0.1, 0.12}, {0.1, 0.05}, {0, 0.05}})};
 }
@@ -71,9 +71,9 @@ TEST(Revolved, WeightsOfEachLayerSumToItsArea) {
       EXPECT_NEAR(sums[static_cast<std::size_t>(k)] * l0 * l0 / area((k + 0.5) * l0), 1, 1e-6) << k;
   };
   check(sphere(0.1), [](double o) { return 4 * pi * (0.1 + o) * (0.1 + o); });
-  check(cylinder(0.08, 0.1, 1, Head::flat),
+  check(cylinder(0.08, 0.1, Axis::y, Head::flat),
         [](double o) { return 2 * pi * (0.08 + o) * (0.1 + 2 * o) + 2 * pi * (0.08 + o) * (0.08 + o); });
-  check(cylinder(0.08, 0.06, 0, Head::hemispherical),
+  check(cylinder(0.08, 0.06, Axis::x, Head::hemispherical),
         [](double o) { return 2 * pi * (0.08 + o) * 0.06 + 4 * pi * (0.08 + o) * (0.08 + o); });
 }
 
@@ -94,7 +94,7 @@ double solid_share(const Shape<3>& tank, const Vec<3>& r, double range) {
 
 TEST(Revolved, APairSumOverItsPointsIsTheIntegralOverTheSolid) {
   const double range = 2.6 * l0, whole = 32 * pi / 105 * std::pow(2.6, 3);
-  for (const Revolved& tank : {sphere(0.1), cylinder(0.08, 0.1, 1, Head::flat)}) {
+  for (const Revolved& tank : {sphere(0.1), cylinder(0.08, 0.1, Axis::y, Head::flat)}) {
     const auto points = tank.wall_points(layers, l0, reach);
     for (const Vec<3>& r : {Vec<3>(0.01, 0.005, 0.013), Vec<3>(0, 0.005, 0), Vec<3>(0.05, 0.03, 0.03)}) {
       double sum = 0;

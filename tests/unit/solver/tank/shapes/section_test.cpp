@@ -35,7 +35,7 @@ const std::vector<Vec<2>> chamfered{{0.043, 0}, {0.157, 0}, {0.2, 0.043}, {0.2, 
 
 TEST(Section, OfABoxHasTheBoxesLatticeBehindItsWalls) {
   Parameters p;
-  p.tank = {0.2, 0.15, 0, true};
+  p.tank = {.length = 0.2, .height = 0.15, .width = 0, .closed = true};
   test::expect_same<2>(of_points(box).wall_points(layers, l0, reach), Box<2>(p).wall_points(layers, l0, reach), l0);
 }
 

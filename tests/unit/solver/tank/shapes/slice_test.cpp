@@ -14,23 +14,9 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-TEST(SlicePlane, IsReadFromText) {
-  EXPECT_EQ(read_slice_plane("x=0").axis, 0);
-  EXPECT_EQ(read_slice_plane("z = -0.25").axis, 2);
-  EXPECT_EQ(read_slice_plane("z = -0.25").at, -0.25);
-  for (const char* bad : {"", "x", "x=", "w=0", "x=1m", "x=nan", "x0"})
-    EXPECT_THROW(read_slice_plane(bad), BadParameters) << bad;
-  try {
-    read_slice_plane("y=0.1");
-    ADD_FAILURE();
-  } catch (const BadParameters& error) {
-    EXPECT_TRUE(test::tells(error.what(), {"y=0.1", "gravity", "z=0"}));
-  }
-}
-
 /// Inside the section is inside the tank, at random points of the plane; and areas to compare.
 template <class Tank>
-void expect_section(const Tank& tank, const SlicePlane& plane, double tolerance) {
+void expect_section(const Tank& tank, const SectionPlane& plane, double tolerance) {
   const Section section = slice(tank, plane);
   const Bounds<3> bounds = tank.bounds();
   const int across = 2 - plane.axis;
@@ -55,22 +41,23 @@ void expect_section(const Tank& tank, const SlicePlane& plane, double tolerance)
 
 TEST(Slice, IsTheTankInItsPlane) {
   const std::vector<Vec<2>> step{{0, 0}, {0.12, 0}, {0.12, 0.06}, {0.2, 0.06}, {0.2, 0.15}, {0, 0.15}};
-  for (const double at : {0.05, 0.15}) expect_section(prism(step, 0.2), {0, at}, 1e-12);
-  expect_section(prism(step, 0.2), {2, 0.1}, 1e-12);
+  for (const double at : {0.05, 0.15}) expect_section(prism(step, 0.2), {Axis::x, at}, 1e-12);
+  expect_section(prism(step, 0.2), {Axis::z, 0.1}, 1e-12);
   const Revolved cone = revolve({{0, 0.02}, {0.06, 0.08}, {0.12, 0.05}, {0.12, 0.09}, {0.2, 0}});
   const Revolved ring = revolve({{0, 0.05}, {0, 0.12}, {0.1, 0.12}, {0.1, 0.05}, {0, 0.05}});
-  for (const int plane : {0, 2}) {
+  for (const Axis plane : {Axis::x, Axis::z}) {
     for (const double at : {0.0, -0.03, 0.07}) {
       expect_section(cone, {plane, at}, 1e-6);
       expect_section(ring, {plane, at}, 1e-6);
-      for (const int axis : {0, 1, 2}) expect_section(cylinder(0.08, 0.1, axis, Head::elliptical), {plane, at}, 1e-6);
+      for (const Axis axis : {Axis::x, Axis::y, Axis::z})
+        expect_section(cylinder(0.08, 0.1, axis, Head::elliptical), {plane, at}, 1e-6);
     }
     expect_section(sphere(0.1), {plane, 0.06}, 1e-6);
   }
 }
 
 TEST(Slice, ThroughAnAxisIsExact) {
-  const Section circle = slice(sphere(0.1), {0, 0});
+  const Section circle = slice(sphere(0.1), {Axis::x, 0});
   EXPECT_NEAR(circle.nearest({0.03, 0.14}).distance, -0.05, 1e-15);
   EXPECT_EQ(circle.wall().loops().at(0).size(), 2u);
   EXPECT_EQ(circle.patches(), Names{"shell"});
@@ -78,15 +65,16 @@ TEST(Slice, ThroughAnAxisIsExact) {
 }
 
 TEST(Slice, HasThePatchesThatItMeets) {
-  EXPECT_EQ(slice(membrane(1, 1, {0.2, 0.2}, {0.3, 0.3}, 2), {2, 0}).patches().size(), 8u);
-  EXPECT_EQ(slice(membrane(1, 1, {0.2, 0.2}, {0.3, 0.3}, 2), {0, 0}).patches(),
+  EXPECT_EQ(slice(membrane(1, 1, {0.2, 0.2}, {0.3, 0.3}, 2), {Axis::z, 0}).patches().size(), 8u);
+  EXPECT_EQ(slice(membrane(1, 1, {0.2, 0.2}, {0.3, 0.3}, 2), {Axis::x, 0}).patches(),
             (Names{"floor", "roof", "near", "far"}));
-  EXPECT_EQ(slice(cylinder(0.3, 0.8, 0, Head::flat), {0, 0.1}).patches(), Names{"shell"});
-  EXPECT_EQ(slice(cylinder(0.3, 0.8, 0, Head::flat), {2, 0.1}).patches(), (Names{"shell", "left_head", "right_head"}));
+  EXPECT_EQ(slice(cylinder(0.3, 0.8, Axis::x, Head::flat), {Axis::x, 0.1}).patches(), Names{"shell"});
+  EXPECT_EQ(slice(cylinder(0.3, 0.8, Axis::x, Head::flat), {Axis::z, 0.1}).patches(),
+            (Names{"shell", "left_head", "right_head"}));
 }
 
 TEST(Slice, LiesAcrossTheAxisAsCircles) {
-  const Section ring = slice(cylinder(0.3, 0.8, 2, Head::hemispherical), {2, 0.5});
+  const Section ring = slice(cylinder(0.3, 0.8, Axis::z, Head::hemispherical), {Axis::z, 0.5});
   const double radius = std::sqrt(0.09 - 0.01);
   EXPECT_NEAR(ring.area(), std::numbers::pi * radius * radius, 1e-12);
   EXPECT_LT((ring.bounds().low - Vec<2>(-radius, 0.3 - radius)).norm(), 1e-12);
@@ -94,7 +82,7 @@ TEST(Slice, LiesAcrossTheAxisAsCircles) {
 
 TEST(Slice, RefusesAPlaneThatMissesTheTank) {
   try {
-    slice(sphere(0.1), {0, 0.2});
+    slice(sphere(0.1), {Axis::x, 0.2});
     ADD_FAILURE();
   } catch (const BadParameters& error) {
     EXPECT_TRUE(test::tells(error.what(), {"x = 0.2 m", "-0.1", "0.1 m"}));

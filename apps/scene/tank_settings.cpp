@@ -1,0 +1,91 @@
+#include "apps/scene/tank_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "apps/scene/points_file.hpp"
+#include "solver/make_simulation.hpp"
+
+namespace seiche::apps {
+namespace {
+
+constexpr std::array level_keys{"depth", "fill", "fill_height", "volume"};
+
+bool is_level(const Setting& setting) {
+  return setting.option->section == "fluid" &&
+         std::find(level_keys.begin(), level_keys.end(), setting.option->key) != level_keys.end();
+}
+
+void put(const Setting& setting, Scene& scene, std::vector<Complaint>& complaints) {
+  if (const auto complaint = assign(*setting.option, scene, setting.value))
+    complaints.push_back({fmt::format("{}: {}", setting.origin, *complaint), setting.position});
+}
+
+bool is_given(const Setting& setting) {
+  Scene scene;
+  if (assign(*setting.option, scene, setting.value)) return true;  // a wrong value was meant
+  const Value value = value_of(*setting.option, scene);
+  const double* number = std::get_if<double>(&value);
+  return number && *number > 0;
+}
+
+}  // namespace
+
+void put_shape(const std::vector<Setting>& settings, Scene& scene, std::vector<Complaint>& complaints) {
+  const Option* shape = find_option("tank", "shape");
+  for (const Setting& setting : settings)
+    if (setting.option == shape) put(setting, scene, complaints);
+  scene.parameters.tank = initial_tank(scene.parameters.tank.shape);
+}
+
+void put_one_level(const std::vector<Setting>& settings, Scene& scene, std::vector<Complaint>& complaints) {
+  std::vector<const Setting*> given;
+  for (const Setting& setting : settings) {
+    if (!is_level(setting) || !is_given(setting)) continue;
+    // One that was said before, or in the file where this is on the command line, gives way.
+    std::erase_if(given, [&](const Setting* other) {
+      return other->option == setting.option || (setting.position == Position{} && other->position < setting.position);
+    });
+    given.push_back(&setting);
+  }
+  if (given.size() > 1) {
+    complaints.push_back({fmt::format("{}: {} and {} both tell how full the tank is; leave one of them",
+                                      given[1]->origin, title(*given[0]->option), title(*given[1]->option)),
+                          given[1]->position});
+    return;
+  }
+  if (given.empty() && scene.parameters.tank.shape == TankShape::box) return;
+  if (given.empty()) {
+    complaints.push_back({"[fluid] doesn't tell how full the tank is; give depth, fill, fill_height or volume", {}});
+    return;
+  }
+  scene.parameters.fluid.depth = 0;
+  scene.given.fill = scene.given.fill_height = scene.given.volume = 0;
+  put(*given[0], scene, complaints);
+}
+
+void settle_tank(Scene& scene, const std::filesystem::path& folder) {
+  Parameters& p = scene.parameters;
+  auto& given = scene.given;
+  if (!given.file.empty()) {
+    if (p.tank.shape != TankShape::prism && p.tank.shape != TankShape::revolve)
+      throw BadParameters(
+          fmt::format("tank.file means nothing to a tank.shape = \"{}\"; leave it out", name(p.tank.shape)));
+    if (!p.tank.points.empty())
+      throw BadParameters("tank.points and tank.file both tell the tank's points; leave one of them");
+    p.tank.points = read_points_file((folder / given.file).string(), p.tank.shape);
+    given.file.clear();
+  }
+  check_tank(p);
+  if (given.fill > 0) p.fluid.depth = depth_holding(p, given.fill * tank_measures(p).volume);
+  if (given.fill_height > 0) p.fluid.depth = given.fill_height * tank_surface(p).size()[1];
+  if (given.volume > tank_measures(p).volume)
+    throw BadParameters(fmt::format("fluid.volume = {:.6g} {} is more than the tank's {:.6g}", given.volume,
+                                    p.dimension() == 3 ? "m^3" : "m^2", tank_measures(p).volume));
+  if (given.volume > 0) p.fluid.depth = depth_holding(p, given.volume);
+  given.fill = given.fill_height = given.volume = 0;
+}
+
+}  // namespace seiche::apps

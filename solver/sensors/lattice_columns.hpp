@@ -1,0 +1,90 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "solver/operators/kernels.hpp"
+#include "solver/tank/liquid_cells.hpp"
+
+namespace seiche::solver {
+
+/// Points with weights, sorted into the columns of a lattice, and their sums about places on the columns' axes:
+///   sum_j v_j W((x - x_j)/l0) W((y - y_j)/l0)   (and so along z),
+/// W being KF4 of support 2, whose copies one spacing apart add up to 1 everywhere. Points up to two columns beside the
+/// lattice count, too.
+template <int D>
+class LatticeColumns {
+ public:
+  explicit LatticeColumns(const LiquidLattice<D>& lattice) : corner_(lattice.corner), l0_(lattice.l0) {
+    count_[0] = lattice.count[0] + 2 * beside;
+    if (D == 3) count_[1] = lattice.count[D - 1] + 2 * beside;
+  }
+
+  void clear() { points_.clear(); }
+
+  void add(const Vec<D>& r, double weight) {
+    const int i = cell(r, 0), k = D == 3 ? cell(r, D - 1) : 0;
+    if (i >= 0 && i < count_[0] && k >= 0 && k < count_[1]) points_.push_back({i + count_[0] * k, weight, r});
+  }
+
+  /// Call after the last of them.
+  void sort() {
+    std::sort(points_.begin(), points_.end(), [](const Point& a, const Point& b) {
+      return a.column != b.column ? a.column < b.column : a.r[1] > b.r[1];
+    });
+    start_.assign(count_[0] * count_[1] + 1, 0);
+    for (const Point& point : points_) ++start_[point.column + 1];
+    for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+  }
+
+  /// Height of the topmost point within two columns of column (i, k), `none` if there is none [m].
+  double top(int i, int k, double none) const {
+    double highest = none;
+    around(i, k, [&](const Point* first, const Point* last) {
+      if (first < last) highest = std::max(highest, first->r[1]);
+    });
+    return highest;
+  }
+
+  /// On the axis of column (i, k) at height y.
+  double sum(int i, int k, double y) const {
+    double all = 0;
+    around(i, k, [&](const Point* first, const Point* last) {
+      first = std::partition_point(first, last, [&](const Point& point) { return point.r[1] > y + 2 * l0_; });
+      for (; first < last && first->r[1] > y - 2 * l0_; ++first)
+        all += first->weight * w(first->r[1] - y) * w(first->r[0] - axis(i, 0)) *
+               (D == 3 ? w(first->r[D - 1] - axis(k, D - 1)) : 1);
+    });
+    return all;
+  }
+
+ private:
+  static constexpr int beside = 2;
+
+  struct Point {
+    int column;
+    double weight;
+    Vec<D> r;
+  };
+
+  int cell(const Vec<D>& r, int a) const { return static_cast<int>(std::floor((r[a] - corner_[a]) / l0_)) + beside; }
+  double axis(int i, int a) const { return corner_[a] + (i + 0.5) * l0_; }
+  double w(double distance) const { return KF4{2}(std::abs(distance) / l0_); }
+
+  /// Calls f(first, last) for the points of every column within two of column (i, k).
+  template <class F>
+  void around(int i, int k, F f) const {
+    for (int z = D == 3 ? k : 0; z <= (D == 3 ? k + 2 * beside : 0); ++z)
+      for (int x = i; x <= i + 2 * beside; ++x) {
+        const int c = x + count_[0] * z;
+        f(points_.data() + start_[c], points_.data() + start_[c + 1]);
+      }
+  }
+
+  Vec<D> corner_;
+  double l0_;
+  int count_[2] = {1, 1};
+  std::vector<Point> points_;
+  std::vector<int> start_;
+};
+
+}  // namespace seiche::solver

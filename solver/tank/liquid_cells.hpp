@@ -1,0 +1,116 @@
+#pragma once
+#include <cmath>
+#include <map>
+
+#include "solver/tank/cell_part.hpp"
+
+namespace seiche::solver {
+
+/// The lattice of a tank's liquid: rows down from its level, columns about the middle of the tank. Where that is a
+/// whole number of spacings from the tank's lowest corner, cells begin at the corner itself.
+template <int D>
+struct LiquidLattice {
+  using Cell = Eigen::Matrix<int, D, 1>;
+
+  Vec<D> corner;  ///< of cell 0 [m]
+  Cell count;     ///< of cells along each axis: they cover the tank up to the level
+  double l0;      ///< [m]
+
+  LiquidLattice(const Bounds<D>& tank, double level, double spacing) : l0(spacing) {
+    for (int a = 0; a < D; ++a) {
+      const double size = a == 1 ? level - tank.low[1] : tank.size()[a];
+      count[a] = a == 1 ? static_cast<int>(std::ceil(size / l0 - 1e-6)) : static_cast<int>(std::lround(size / l0));
+      corner[a] = a == 1 ? level - count[a] * l0 : tank.low[a] + 0.5 * (size - count[a] * l0);
+      if (std::abs(corner[a] - tank.low[a]) < 1e-6 * l0)
+        corner[a] = tank.low[a];
+      else if (corner[a] > tank.low[a])
+        corner[a] -= l0, count[a] += 2;
+    }
+  }
+
+  Vec<D> centre(const Cell& cell) const { return corner + Vec<D>((cell.template cast<double>().array() + 0.5) * l0); }
+
+  /// Calls f(cell) for each, x first, then y, then z.
+  template <class F>
+  void each(F f) const {
+    if ((count.array() <= 0).any()) return;
+    for (Cell c = Cell::Zero(); c[D - 1] < count[D - 1];) {
+      f(c);
+      for (int a = 0; ++c[a] == count[a] && a < D - 1; ++a) c[a] = 0;
+    }
+  }
+};
+
+/// Which of the cells that a wall cuts have a particle: as many of them as the liquid in them fills, spread evenly.
+/// What a cell's share of liquid, with what its neighbours left, falls short of a particle or goes beyond one is passed
+/// on to its neighbours that come later (error diffusion, Floyd & Steinberg 1976), rows from the top: so each wall has
+/// what lies beside it. Chosen by the distance to the wall alone, liquid would lie more to one side and slosh.
+template <int D>
+class CutCells {
+ public:
+  using Cell = typename LiquidLattice<D>::Cell;
+
+  void add(const Cell& cell, double share) { cells_.emplace(key(cell), Cut{share}); }
+
+  /// @param wanted particles in all cut cells: the last few are chosen such that it is met
+  void choose(long wanted) {
+    double carried = 0;
+    long kept = 0;
+    for (auto& [at, cut] : cells_) {
+      cut.sum += cut.share + carried;
+      carried = 0;
+      cut.kept = cut.sum >= 0.5;
+      kept += cut.kept;
+      pass_on(at, cut, carried);
+    }
+    for (; kept != wanted; kept += kept < wanted ? 1 : -1)
+      if (!change_one(kept < wanted)) return;
+  }
+
+  bool has_particle(const Cell& cell) const { return cells_.at(key(cell)).kept; }
+
+ private:
+  struct Cut {
+    double share;
+    double sum = 0;
+    bool kept = false;
+  };
+  using Key = std::array<int, D>;
+
+  // From the top row down.
+  static Key key(const Cell& cell) {
+    Key key;
+    key[0] = -cell[1];
+    key[1] = cell[0];
+    if constexpr (D == 3) key[2] = cell[2];
+    return key;
+  }
+
+  void pass_on(const Key& at, const Cut& cut, double& carried) {
+    constexpr int around = D == 2 ? 9 : 27;
+    std::array<Cut*, around> later{};
+    int count = 0;
+    for (int k = 0; k < around; ++k) {
+      Key other = at;
+      for (int a = 0, rest = k; a < D; ++a, rest /= 3) other[a] += rest % 3 - 1;
+      if (!(other > at)) continue;
+      if (const auto found = cells_.find(other); found != cells_.end()) later[count++] = &found->second;
+    }
+    const double rest = cut.sum - cut.kept;
+    if (count == 0) carried = rest;
+    for (int k = 0; k < count; ++k) later[k]->sum += rest / count;
+  }
+
+  /// Gives a particle to the cell that came nearest to one, or takes it from the cell that least had it.
+  bool change_one(bool more) {
+    Cut* best = nullptr;
+    for (auto& [at, cut] : cells_)
+      if (cut.kept != more && (!best || (more ? cut.sum > best->sum : cut.sum < best->sum))) best = &cut;
+    if (best) best->kept = more;
+    return best != nullptr;
+  }
+
+  std::map<Key, Cut> cells_;
+};
+
+}  // namespace seiche::solver
