@@ -19,12 +19,12 @@ template <class Tank>
 void expect_section(const Tank& tank, const SectionPlane& plane, double tolerance) {
   const Section section = slice(tank, plane);
   const Bounds<3> bounds = tank.bounds();
-  const int across = 2 - plane.axis;
+  const int normal = static_cast<int>(plane.axis), across = 2 - normal;
   std::mt19937 random(11);
   std::uniform_real_distribution<double> share(-0.1, 1.1);
   for (int sample = 0; sample < 300; ++sample) {
     Vec<3> r;
-    r[plane.axis] = plane.at;
+    r[normal] = plane.at;
     for (const int axis : {across, 1}) r[axis] = bounds.low[axis] + share(random) * bounds.size()[axis];
     const double distance = tank.nearest(r).distance, flat = section.nearest({r[across], r[1]}).distance;
     // In the plane the wall is at least as far as in space.
