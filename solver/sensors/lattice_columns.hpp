@@ -39,20 +39,37 @@ class LatticeColumns {
   /// Height of the topmost point within two columns of column (i, k), `none` if there is none [m].
   double top(int i, int k, double none) const {
     double highest = none;
-    around(i, k, [&](const Point* first, const Point* last) {
+    around(i, k, beside, [&](const Point* first, const Point* last) {
       if (first < last) highest = std::max(highest, first->r[1]);
     });
     return highest;
   }
 
+  /// Of the points in their sorted order.
+  std::size_t size() const { return points_.size(); }
+  const Vec<D>& position(std::size_t i) const { return points_[i].r; }
+  double weight(std::size_t i) const { return points_[i].weight; }
+  void set_weight(std::size_t i, double weight) { points_[i].weight = weight; }
+
   /// On the axis of column (i, k) at height y.
   double sum(int i, int k, double y) const {
     double all = 0;
-    around(i, k, [&](const Point* first, const Point* last) {
+    around(i, k, beside, [&](const Point* first, const Point* last) {
       first = std::partition_point(first, last, [&](const Point& point) { return point.r[1] > y + 2 * l0_; });
       for (; first < last && first->r[1] > y - 2 * l0_; ++first)
         all += first->weight * w(first->r[1] - y) * w(first->r[0] - axis(i, 0)) *
                (D == 3 ? w(first->r[D - 1] - axis(k, D - 1)) : 1);
+    });
+    return all;
+  }
+
+  /// sum_j v_j prod_axis max(0, 1 - |r_j - r|/l0) at any place.
+  double linear_sum(const Vec<D>& r) const {
+    double all = 0;
+    around(cell(r, 0) - beside, D == 3 ? cell(r, D - 1) - beside : 0, 1, [&](const Point* first, const Point* last) {
+      first = std::partition_point(first, last, [&](const Point& point) { return point.r[1] >= r[1] + l0_; });
+      for (; first < last && first->r[1] > r[1] - l0_; ++first)
+        all += first->weight * (1 - (first->r - r).array().abs() / l0_).max(0.0).prod();
     });
     return all;
   }
@@ -70,11 +87,13 @@ class LatticeColumns {
   double axis(int i, int a) const { return corner_[a] + (i + 0.5) * l0_; }
   double w(double distance) const { return KF4{2}(std::abs(distance) / l0_); }
 
-  /// Calls f(first, last) for the points of every column within two of column (i, k).
+  /// Calls f(first, last) for the points of every column within `reach` of column (i, k).
   template <class F>
-  void around(int i, int k, F f) const {
-    for (int z = D == 3 ? k : 0; z <= (D == 3 ? k + 2 * beside : 0); ++z)
-      for (int x = i; x <= i + 2 * beside; ++x) {
+  void around(int i, int k, int reach, F f) const {
+    const auto first = [&](int at) { return std::max(0, at + beside - reach); };
+    const auto last = [&](int at, int axis) { return std::min(count_[axis] - 1, at + beside + reach); };
+    for (int z = D == 3 ? first(k) : 0; z <= (D == 3 ? last(k, 1) : 0); ++z)
+      for (int x = first(i); x <= last(i, 0); ++x) {
         const int c = x + count_[0] * z;
         f(points_.data() + start_[c], points_.data() + start_[c + 1]);
       }

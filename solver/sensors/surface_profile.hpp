@@ -1,15 +1,17 @@
 #pragma once
 #include <algorithm>
-#include <numeric>
 
 #include "solver/sensors/fluid_cells.hpp"
 #include "solver/sensors/lattice_columns.hpp"
 
 namespace seiche::solver {
 
-/// The water surface over the columns of the lattice: for each the highest crossing of half of the fluid fraction,
-/// which is what of the space that the walls leave is fluid,
-///   phi(x, y) = sum_fluid W / (1 - sum_wall v W),   W as LatticeColumns has it.
+/// The water surface over the columns of the lattice: for each the highest crossing of half of the fluid fraction
+///   phi(x, y) = (sum_fluid W + sum_wall n^2 v s W) / (1 - sum_wall (1 - n^2) v W),   W as LatticeColumns has it.
+/// n is how far the wall at a wall particle faces up or down, the y of the direction to its nearest point in the tank.
+/// Beside a wall the fluid goes on as it is at the same height; below the floor as in a mirror: a particle of volume v
+/// [l0^D] is fluid by the share at its mirror point,
+///   s = sum_fluid H / (1 - sum_wall v H),   H = prod_axis max(0, 1 - |x|/l0).
 /// A lattice at rest has phi = 1 below its surface, 1/2 on it and 0 above. Spray, fluid at the free surface with fewer
 /// than two fluid neighbours within 1.5 l0, doesn't count.
 template <int D>
@@ -19,21 +21,21 @@ class SurfaceProfile {
   SurfaceProfile(const Shape<D>& tank, double l0, const State<D>& walls)
       : lattice_(tank.bounds(), tank.bounds().high[1], l0),
         closed_(tank.is_closed()),
-        solid_(lattice_),
+        beside_(lattice_),
+        mirrored_(lattice_),
         water_(lattice_) {
     columns_.resize(static_cast<std::size_t>(count(0)) * count(1));
     height_.resize(columns_.size());
     for (Column& column : columns_) column.below.assign(1, 0);
     lattice_.each(
         [&](const Cell& cell) { columns_[number(cell)].add_cell(part_inside(tank, lattice_.centre(cell), l0).share); });
-    for (std::size_t i = 0; i < walls.size(); ++i)
-      if (walls.kind[i] != Kind::fluid) solid_.add(walls.position[i], walls.volume[i]);
-    solid_.sort();
+    add_walls(tank, walls);
   }
 
   /// Finds the surface. Second order in l0.
   void find(const State<D>& s, const FluidCells<D>& cells) {
     sort(s, cells);
+    fill_mirrors();
     const int columns = static_cast<int>(height_.size());
 #pragma omp parallel for schedule(static)
     for (int c = 0; c < columns; ++c) height_[c] = crossing(c);
@@ -61,6 +63,12 @@ class SurfaceProfile {
   /// Less of a place than that is left by the walls: it lies behind them.
   static constexpr double least_open = 0.25;
 
+  /// What a wall particle shows of the fluid.
+  struct Mirror {
+    Vec<D> point;
+    double weight;  ///< n^2 v / (1 - sum_wall v H)
+  };
+
   /// What of the tank is in a column, in cells, from the lattice's corner up.
   struct Column {
     Scalars below;  ///< of the tank below each cell, and below the column's end
@@ -85,6 +93,34 @@ class SurfaceProfile {
   int number(const Cell& cell) const { return cell[0] + (D == 3 ? count(0) * cell[D - 1] : 0); }
   double y(double cells) const { return lattice_.corner[1] + cells * lattice_.l0; }
 
+  void add_walls(const Shape<D>& tank, const State<D>& walls) {
+    LatticeColumns<D> all(lattice_);
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+      if (walls.kind[i] == Kind::fluid) continue;
+      const Vec<D>& r = walls.position[i];
+      const double upright = std::pow((r - tank.nearest(r).foot).normalized()[1], 2);
+      all.add(r, walls.volume[i]);
+      if (upright < 1) beside_.add(r, (1 - upright) * walls.volume[i]);
+      if (upright > 1e-12) mirrored_.add(r, upright * walls.volume[i]);
+    }
+    all.sort();
+    beside_.sort();
+    mirrored_.sort();
+    for (std::size_t i = 0; i < mirrored_.size(); ++i) {
+      const Vec<D>& r = mirrored_.position(i);
+      const Nearest<D> wall = tank.nearest(r);
+      Vec<D> point = 2 * wall.foot - r;
+      if (tank.nearest(point).distance > 0) point = wall.foot - 0.5 * lattice_.l0 * wall.normal;
+      mirrors_.push_back({point, mirrored_.weight(i) / std::max(least_open, 1 - all.linear_sum(point))});
+    }
+  }
+
+  void fill_mirrors() {
+    const int size = static_cast<int>(mirrors_.size());
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < size; ++i) mirrored_.set_weight(i, mirrors_[i].weight * water_.linear_sum(mirrors_[i].point));
+  }
+
   void sort(const State<D>& s, const FluidCells<D>& cells) {
     const int size = static_cast<int>(s.size());
     counts_.assign(size, 0);
@@ -108,11 +144,12 @@ class SurfaceProfile {
     const Column& column = columns_[c];
     const int i = c % count(0), k = c / count(0);
     const double l0 = lattice_.l0, dy = 0.25 * l0, bottom = y(column.bottom);
+    const double top = water_.top(i, k, bottom) + 2 * l0;
     double above = 0;
-    for (double at = water_.top(i, k, bottom) + 2 * l0; at > bottom; at -= dy) {
-      const double open = 1 - solid_.sum(i, k, at);
+    for (double at = closed_ ? std::min(top, y(column.top)) : top; at > bottom; at -= dy) {
+      const double open = 1 - beside_.sum(i, k, at);
       if (open < least_open) continue;
-      const double here = water_.sum(i, k, at) / open;
+      const double here = (water_.sum(i, k, at) + mirrored_.sum(i, k, at)) / open;
       if (here >= 0.5) {
         const double level = at + dy * (here - 0.5) / (here - above);
         return closed_ ? std::min(level, y(column.top)) : level;
@@ -124,7 +161,8 @@ class SurfaceProfile {
 
   LiquidLattice<D> lattice_;
   bool closed_;
-  LatticeColumns<D> solid_, water_;
+  LatticeColumns<D> beside_, mirrored_, water_;
+  std::vector<Mirror> mirrors_;  ///< of the points in mirrored_
   std::vector<Column> columns_;
   Scalars height_;
   std::vector<std::uint8_t> counts_;  ///< a buffer

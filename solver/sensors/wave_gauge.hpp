@@ -62,15 +62,21 @@ class WaveGauge {
   template <int D>
   WaveGauge(double x, double z, double level, const Shape<D>& tank, const LiquidLattice<D>& lattice) {
     const auto cells = [&](double at, int axis) { return (at - lattice.corner[axis]) / lattice.l0; };
+    Vec<D> r = Vec<3>(x, level, z).template head<D>();
     const auto open_along = [&](int axis) {
       std::vector<bool> open;
       for (int i = 0; i < lattice.count[axis]; ++i) {
-        Vec<D> r = Vec<3>(x, level, z).template head<D>();
-        r[axis] = lattice.corner[axis] + (i + 0.5) * lattice.l0;
-        open.push_back(tank.nearest(r).distance < 0);
+        Vec<D> centre = r;
+        centre[axis] = lattice.corner[axis] + (i + 0.5) * lattice.l0;
+        open.push_back(tank.nearest(centre).distance < 0);
       }
       return open;
     };
+    // A gauge may stand on a wall: rows run through the columns' centres.
+    for (int axis = 0; axis < D; axis += 2) {
+      const double column = std::clamp(std::floor(cells(r[axis], axis)), 0.0, lattice.count[axis] - 1.0);
+      r[axis] = lattice.corner[axis] + (column + 0.5) * lattice.l0;
+    }
     const Scalars along = weights_of_open(cells(x, 0), open_along(0));
     const Scalars across = D == 3 ? weights_of_open(cells(z, D - 1), open_along(D - 1)) : Scalars{1};
     const int columns = static_cast<int>(along.size()), rows = static_cast<int>(across.size());

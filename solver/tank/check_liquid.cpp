@@ -10,13 +10,14 @@ namespace seiche::solver {
 namespace {
 
 // Particles of a closed tank need a free surface: where all of them are walled in, nothing gives the pressure a value.
+// A column has one at its side.
 void check_level(const Parameters& p, const SurfaceMesh& wall) {
   const double l0 = p.particles.spacing, depth = p.fluid.depth, height = wall.size()[1];
   if (depth > height)
     throw BadParameters(
-        fmt::format("fluid.depth = {:.6g} m is more than the tank's height of {:.6g} m", depth, height));
+        fmt::format("fluid.depth = {:.6g} m is more than the height of the tank, {:.6g} m", depth, height));
   const double greatest = height - l0;
-  if (p.tank.closed && depth > greatest + 1e-6 * l0)
+  if (p.tank.closed && p.fluid.column == 0 && depth > greatest + 1e-6 * l0)
     throw BadParameters(fmt::format(
         "fluid.depth = {:.6g} m leaves {:.3g} spacings of gas below the roof; a run needs 1: a depth of {:.6g} m "
         "({:.4g} % of the tank) at most, or a smaller particles.spacing",

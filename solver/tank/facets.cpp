@@ -1,6 +1,7 @@
 #include "solver/tank/facets.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -69,19 +70,43 @@ void add_segment(int patch, const Vec<2>& from, const Vec<2>& to, double l0, Gat
   }
 }
 
-void add_triangle(int patch, const std::array<Vec<3>, 3>& corner, double l0, Gathering<3>& all) {
-  int longest = 0;
-  double length = 0;
-  for (int k = 0; k < 3; ++k)
-    if (const double side = (corner[(k + 1) % 3] - corner[k]).norm(); side > length) length = side, longest = k;
-  const Vec<3>&a = corner[longest], &b = corner[(longest + 1) % 3], &c = corner[(longest + 2) % 3];
-  if (length > 0.5 * l0 * (1 + 1e-9)) {
-    const Vec<3> middle = 0.5 * (a + b);
-    add_triangle(patch, {a, middle, c}, l0, all);
-    add_triangle(patch, {middle, b, c}, l0, all);
+using Polygon = std::vector<Vec<3>>;
+
+/// What of a convex polygon has side * (x_axis - at) <= 0.
+Polygon clipped(const Polygon& polygon, int axis, double at, double side) {
+  Polygon kept;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec<3>&a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    const double beyond_a = side * (a[axis] - at), beyond_b = side * (b[axis] - at);
+    if (beyond_a <= 0) kept.push_back(a);
+    if (beyond_a * beyond_b < 0) kept.push_back(a + beyond_a / (beyond_a - beyond_b) * (b - a));
+  }
+  return kept;
+}
+
+/// Cuts a convex polygon at every half spacing along `axis` and those after it; each piece has the midpoints of its
+/// triangles' edges, which are exact for quadratics.
+void add_polygon(int patch, const Polygon& polygon, int axis, const Vec<3>& low, double l0, Gathering<3>& all) {
+  if (axis == 3) {
+    for (std::size_t k = 2; k < polygon.size(); ++k) {
+      const Vec<3>&a = polygon[0], &b = polygon[k - 1], &c = polygon[k];
+      all.add(patch, (a + b + c) / 3, 0.5 * (b - a).cross(c - a), {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)});
+    }
     return;
   }
-  all.add(patch, (a + b + c) / 3, 0.5 * (b - a).cross(c - a), {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)});
+  const double h = 0.5 * l0, round_off = 1e-9;
+  const auto cells = [&](const Vec<3>& r) { return (r[axis] - low[axis]) / h; };
+  const auto less = [&](const Vec<3>& a, const Vec<3>& b) { return a[axis] < b[axis]; };
+  const auto [lowest, highest] = std::minmax_element(polygon.begin(), polygon.end(), less);
+  const int first = static_cast<int>(std::floor(cells(*lowest) + round_off));
+  const int last = static_cast<int>(std::ceil(cells(*highest) - round_off)) - 1;
+  Polygon rest = polygon;
+  for (int k = first; k < last; ++k) {
+    const double plane = low[axis] + (k + 1) * h;
+    add_polygon(patch, clipped(rest, axis, plane, 1), axis + 1, low, l0, all);
+    rest = clipped(rest, axis, plane, -1);
+  }
+  add_polygon(patch, rest, axis + 1, low, l0, all);
 }
 
 template <int D>
@@ -93,7 +118,8 @@ Vec<D> point_of(const SurfaceMesh& wall, int k) {
 
 template <int D>
 std::vector<Facet<D>> facets_of(const SurfaceMesh& wall, double l0) {
-  Gathering<D> all(Vec<3>(wall.low().data()).template head<D>(), l0);
+  const Vec<D> low = Vec<3>(wall.low().data()).template head<D>();
+  Gathering<D> all(low, l0);
   for (std::size_t patch = 0; patch < wall.patches.size(); ++patch)
     for (const std::vector<int>& face : wall.patches[patch].faces) {
       const auto corner = [&](std::size_t k) { return point_of<D>(wall, face[k]); };
@@ -101,7 +127,7 @@ std::vector<Facet<D>> facets_of(const SurfaceMesh& wall, double l0) {
         add_segment(static_cast<int>(patch), corner(0), corner(1), l0, all);
       else
         for (std::size_t k = 2; k < face.size(); ++k)
-          add_triangle(static_cast<int>(patch), {corner(0), corner(k - 1), corner(k)}, l0, all);
+          add_polygon(static_cast<int>(patch), {corner(0), corner(k - 1), corner(k)}, 0, low, l0, all);
     }
   return all.facets();
 }

@@ -18,7 +18,8 @@ struct Facet {
 };
 
 /// The wall in facets no larger than l0 on each axis; integrals over them are exact for quadratic functions where the
-/// wall is flat: segments of at most l0/2 with two Gauss points, triangles of at most l0/2 with their edges' middles.
+/// wall is flat: segments of at most l0/2 with two Gauss points, triangles within cubes of l0/2 with the middles of
+/// their edges.
 template <int D>
 std::vector<Facet<D>> facets_of(const SurfaceMesh& wall, double l0);
 

@@ -20,9 +20,17 @@ inline double longest_support(const Parameters::Method& m) {
 /// support of a wall particle.
 inline int wall_layers(const Parameters::Method& m) { return 1 + static_cast<int>(std::floor(longest_support(m))); }
 
+/// A place no nearer to the wall than that [m]: the centroid of a sliver of liquid lies at the wall, or, where the wall
+/// is curved, may lie just behind it.
+template <int D>
+Vec<D> off_the_wall(const Shape<D>& tank, const Vec<D>& r, double distance) {
+  const Nearest<D> wall = tank.nearest(r);
+  return wall.distance > -distance ? Vec<D>(r - (wall.distance + distance) * wall.normal) : r;
+}
+
 /// Adds the liquid at rest below the level: a particle for each cell of its lattice, in cells that a wall cuts as many
-/// as their liquid fills, each at the centroid of that. N l0^D is the liquid's volume within half a particle. The
-/// pressure is hydrostatic.
+/// as their liquid fills, each at the centroid of that, l0/10 off the wall or more. N l0^D is the liquid's volume
+/// within half a particle. The pressure is hydrostatic.
 template <int D>
 void add_liquid(const Parameters& p, const Shape<D>& tank, State<D>& s) {
   using Cell = typename LiquidLattice<D>::Cell;
@@ -51,8 +59,9 @@ void add_liquid(const Parameters& p, const Shape<D>& tank, State<D>& s) {
     cut.choose(std::lround(volume_below(tank.surface(), level) / std::pow(l0, D)) - whole);
   for (const auto& [cell, inside] : parts) {
     if (inside.share < 1 && !cut.has_particle(cell)) continue;
-    s.add(inside.centroid, Kind::fluid, Vec<D>::Zero());
-    s.pressure.back() = p.fluid.density * p.gravity * (level - inside.centroid[1]);
+    const Vec<D> r = inside.share < 1 ? off_the_wall(tank, inside.centroid, 0.1 * l0) : inside.centroid;
+    s.add(r, Kind::fluid, Vec<D>::Zero());
+    s.pressure.back() = p.fluid.density * p.gravity * (level - r[1]);
   }
 }
 

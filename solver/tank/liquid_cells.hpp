@@ -43,14 +43,15 @@ struct LiquidLattice {
 
 /// Which of the cells that a wall cuts have a particle: as many of them as the liquid in them fills, spread evenly.
 /// What a cell's share of liquid, with what its neighbours left, falls short of a particle or goes beyond one is passed
-/// on to its neighbours that come later (error diffusion, Floyd & Steinberg 1976), rows from the top: so each wall has
-/// what lies beside it. Chosen by the distance to the wall alone, liquid would lie more to one side and slosh.
+/// on to its neighbours that come later (error diffusion, Floyd & Steinberg 1976), rows from the top and each the other
+/// way than the one before (Ulichney 1987), so that nothing drifts to one side: each wall has what lies beside it.
+/// Chosen by the distance to the wall alone, liquid would lie more to one side and slosh.
 template <int D>
 class CutCells {
  public:
   using Cell = typename LiquidLattice<D>::Cell;
 
-  void add(const Cell& cell, double share) { cells_.emplace(key(cell), Cut{share}); }
+  void add(const Cell& cell, double share) { cells_.emplace(key(cell), Cut{cell, share}); }
 
   /// @param wanted particles in all cut cells: the last few are chosen such that it is met
   void choose(long wanted) {
@@ -71,18 +72,20 @@ class CutCells {
 
  private:
   struct Cut {
+    Cell cell;
     double share;
     double sum = 0;
     bool kept = false;
   };
   using Key = std::array<int, D>;
 
-  // From the top row down.
+  static int turned(int at, int row) { return row % 2 == 0 ? at : -at; }
+
   static Key key(const Cell& cell) {
     Key key;
     key[0] = -cell[1];
-    key[1] = cell[0];
-    if constexpr (D == 3) key[2] = cell[2];
+    key[1] = turned(cell[0], cell[1]);
+    if constexpr (D == 3) key[2] = turned(cell[2], cell[0] + cell[1]);
     return key;
   }
 
@@ -91,10 +94,10 @@ class CutCells {
     std::array<Cut*, around> later{};
     int count = 0;
     for (int k = 0; k < around; ++k) {
-      Key other = at;
+      Cell other = cut.cell;
       for (int a = 0, rest = k; a < D; ++a, rest /= 3) other[a] += rest % 3 - 1;
-      if (!(other > at)) continue;
-      if (const auto found = cells_.find(other); found != cells_.end()) later[count++] = &found->second;
+      if (!(key(other) > at)) continue;
+      if (const auto found = cells_.find(key(other)); found != cells_.end()) later[count++] = &found->second;
     }
     const double rest = cut.sum - cut.kept;
     if (count == 0) carried = rest;

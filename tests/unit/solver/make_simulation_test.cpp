@@ -54,7 +54,7 @@ TEST(MakeSimulation, RefusesUnknownNamesAndBadParameters) {
   p.method.kernel = "kf3";
   EXPECT_THROW(make_simulation(p, 0), BadParameters);
   p = surging(2);
-  p.fluid.depth = 0.055;
+  p.fluid.depth = 0.255;
   EXPECT_THROW(make_simulation(p, 0), BadParameters);
 }
 

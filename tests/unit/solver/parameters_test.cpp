@@ -25,11 +25,27 @@ TEST(CheckParameters, AcceptsTheDefaultsInBothDimensions) {
 }
 
 TEST(CheckParameters, WantsWholeNumbersOfSpacings) {
-  expect_refused([](Parameters& p) { p.tank.length = 0.603; }, {"tank.length = 0.603 m", "120.6", "0.6", "0.605"});
-  expect_refused([](Parameters& p) { p.tank.height = 0.4012; }, {"tank.height = 0.4012 m", "0.4 or 0.405"});
-  expect_refused([](Parameters& p) { p.tank.width = 0.1024; }, {"tank.width = 0.1024 m"});
-  expect_refused([](Parameters& p) { p.fluid.depth = 0.2001; }, {"fluid.depth = 0.2001 m"});
+  expect_refused([](Parameters& p) { p.tank.closed = false, p.tank.length = 0.603; },
+                 {"tank.length = 0.603 m", "120.6", "0.6", "0.605"});
+  expect_refused([](Parameters& p) { p.tank.closed = false, p.tank.height = 0.4012; },
+                 {"tank.height = 0.4012 m", "0.4 or 0.405"});
+  expect_refused([](Parameters& p) { p.tank.closed = false, p.tank.width = 0.1024; }, {"tank.width = 0.1024 m"});
+  expect_refused([](Parameters& p) { p.fluid.column = 0.1, p.fluid.depth = 0.2001; }, {"fluid.depth = 0.2001 m"});
   expect_refused([](Parameters& p) { p.fluid.column = 0.0524; }, {"fluid.column = 0.0524 m"});
+}
+
+TEST(CheckParameters, TakesAnySpacingInAClosedTank) {
+  Parameters p;
+  p.tank = {.length = 0.603, .height = 0.4012, .width = 0.1024};
+  p.fluid.depth = 0.2001;
+  EXPECT_NO_THROW(check_parameters(p));
+}
+
+TEST(CheckParameters, WantsASpacingOfGasBelowARoof) {
+  expect_refused([](Parameters& p) { p.fluid.depth = 0.398; }, {"fluid.depth = 0.398 m", "0.395 m", "98.75 %"});
+  Parameters p;
+  p.fluid.depth = 0.395;
+  EXPECT_NO_THROW(check_parameters(p));
 }
 
 TEST(CheckParameters, ForgivesTheRoundingOfDecimals) {
@@ -48,7 +64,7 @@ TEST(CheckParameters, WantsFourSpacingsAtLeast) {
 }
 
 TEST(CheckParameters, WantsTheWaterInsideTheTank) {
-  expect_refused([](Parameters& p) { p.fluid.depth = 0.405; }, {"fluid.depth = 0.405 m", "tank.height = 0.4 m"});
+  expect_refused([](Parameters& p) { p.fluid.depth = 0.405; }, {"fluid.depth = 0.405 m", "0.4 m"});
   expect_refused([](Parameters& p) { p.fluid.column = 0.605; }, {"fluid.column = 0.605 m", "tank.length = 0.6 m"});
 }
 

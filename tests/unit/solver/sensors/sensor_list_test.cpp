@@ -99,7 +99,7 @@ Parameters with_pressure(double x, double y, double z = 0, double side = 0) {
 }
 
 TEST(CheckSensors, WantsPressureSensorsInsideTheTank) {
-  expect_refused(with_pressure(0.7, 0), {"sensors.pressure 's'", "(0.7, 0, 0) m", "outside", "0.6 m", "0.4 m"});
+  expect_refused(with_pressure(0.7, 0), {"sensors.pressure 's'", "(0.7, 0) m", "outside", "0.6 m", "0.4 m"});
   expect_refused(with_pressure(0, -0.01), {"outside"});
   expect_refused(with_pressure(0, 0.1, 0.05), {"outside", "no z"});
   Parameters deep = with_pressure(0, 0.1, 0.2);
@@ -107,24 +107,26 @@ TEST(CheckSensors, WantsPressureSensorsInsideTheTank) {
   expect_refused(deep, {"outside", "z from 0 to 0.1 m"});
 }
 
-TEST(CheckSensors, WantsPressureSensorsOnAWallAndSaysWhereOneIs) {
-  expect_refused(with_pressure(0.1, 0.15), {"(0.1, 0.15) m", "not on a wall", "(0, 0.15) m"});
-  expect_refused(with_pressure(0.3, 0.39), {"(0.3, 0.4) m"});
-  Parameters open = with_pressure(0.4, 0.4);
+TEST(CheckSensors, WantsAreasOnAWallAndSaysWhereOneIs) {
+  expect_refused(with_pressure(0.1, 0.15, 0, 0.02), {"(0.1, 0.15) m", "on no wall", "(0, 0.15) m"});
+  expect_refused(with_pressure(0.3, 0.39, 0, 0.02), {"(0.3, 0.4) m"});
+  EXPECT_NO_THROW(check_parameters(with_pressure(0.1, 0.15))) << "a point may be inside";
+  Parameters open = with_pressure(0.4, 0.4, 0, 0.02);
   EXPECT_NO_THROW(check_parameters(open));
   open.tank.closed = false;
-  expect_refused(open, {"not on a wall", "(0.6, 0.4) m"});
-  Parameters wide = with_pressure(0.3, 0.2, 0.1);
+  expect_refused(open, {"on no wall", "(0.6, 0.4) m"});
+  Parameters wide = with_pressure(0.3, 0.2, 0.1, 0.02);
   wide.tank.width = 0.1;
   EXPECT_NO_THROW(check_parameters(wide));
   wide.sensors.pressure[0].z = 0.09;
   expect_refused(wide, {"(0.3, 0.2, 0.09) m", "(0.3, 0.2, 0.1) m"});
 }
 
-TEST(CheckSensors, ForgivesTheRoundingOfDecimals) {
-  EXPECT_NO_THROW(check_parameters(with_pressure(0.6 + 5e-10, 0.1)));
-  EXPECT_NO_THROW(check_parameters(with_pressure(0.3, -5e-10)));
-  expect_refused(with_pressure(0.6 - 5e-9, 0.1), {"not on a wall"});
+TEST(CheckSensors, TakesAPlaceWithinHalfASpacingOfTheWallAsOnIt) {
+  EXPECT_NO_THROW(check_parameters(with_pressure(0.6 + 0.0024, 0.1, 0, 0.02)));
+  EXPECT_NO_THROW(check_parameters(with_pressure(0.6 - 0.0024, 0.1, 0, 0.02)));
+  expect_refused(with_pressure(0.6 + 0.0026, 0.1, 0, 0.02), {"outside"});
+  expect_refused(with_pressure(0.6 - 0.0026, 0.1, 0, 0.02), {"on no wall"});
 }
 
 TEST(CheckSensors, WantsASideThatIsNone) { expect_refused(with_pressure(0, 0.1, 0, -0.01), {"side", "-0.01"}); }

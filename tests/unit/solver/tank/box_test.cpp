@@ -118,8 +118,9 @@ TYPED_TEST(BoxOf, IsLinedByTheLatticeThatFillsItsTank) {
   }
 }
 
-TEST(CheckBox, WantsWholeSpacings) {
+TEST(CheckBox, WantsWholeSpacingsBelowARim) {
   Parameters p;
+  p.tank.closed = false;
   p.tank.length = 0.6012;
   EXPECT_THROW(check_shape(p), BadParameters);
   p.tank.length = 0.6;
