@@ -7,8 +7,8 @@
 
 #include "apps/common/errors.hpp"
 #include "apps/scene/curve_sensors.hpp"
+#include "apps/scene/files/references.hpp"
 #include "apps/scene/list_settings.hpp"
-#include "apps/scene/references.hpp"
 #include "render/picture.hpp"
 
 namespace seiche::apps {

@@ -10,9 +10,9 @@
 
 #include "apps/common/nearest.hpp"
 #include "apps/scene/curve_sensors.hpp"
+#include "apps/scene/files/motion_file.hpp"
+#include "apps/scene/files/references.hpp"
 #include "apps/scene/list_settings.hpp"
-#include "apps/scene/motion_file.hpp"
-#include "apps/scene/references.hpp"
 #include "apps/scene/tank_settings.hpp"
 #include "apps/scene/toml_settings.hpp"
 #include "render/check_look.hpp"
@@ -58,7 +58,7 @@ Scene assemble(const Settings& all, std::vector<Complaint>& complaints) {
   }
   const Preset preset = scene.parameters.preset;
   apply_preset(scene.parameters, preset);
-  put_shape(settings, scene, complaints);
+  put_shape(settings, scene);
   for (const Setting& setting : settings) {
     if (!is_preset(setting)) put(setting);
   }

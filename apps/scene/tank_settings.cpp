@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "apps/scene/points_file.hpp"
+#include "apps/scene/files/points_file.hpp"
 #include "solver/make_simulation.hpp"
 
 namespace seiche::apps {
@@ -18,11 +18,6 @@ bool is_level(const Setting& setting) {
          std::find(level_keys.begin(), level_keys.end(), setting.option->key) != level_keys.end();
 }
 
-void put(const Setting& setting, Scene& scene, std::vector<Complaint>& complaints) {
-  if (const auto complaint = assign(*setting.option, scene, setting.value))
-    complaints.push_back({fmt::format("{}: {}", setting.origin, *complaint), setting.position});
-}
-
 bool is_given(const Setting& setting) {
   Scene scene;
   if (assign(*setting.option, scene, setting.value)) return true;  // a wrong value was meant
@@ -33,10 +28,10 @@ bool is_given(const Setting& setting) {
 
 }  // namespace
 
-void put_shape(const std::vector<Setting>& settings, Scene& scene, std::vector<Complaint>& complaints) {
+void put_shape(const std::vector<Setting>& settings, Scene& scene) {
   const Option* shape = find_option("tank", "shape");
   for (const Setting& setting : settings)
-    if (setting.option == shape) put(setting, scene, complaints);
+    if (setting.option == shape) assign(*shape, scene, setting.value);
   scene.parameters.tank = initial_tank(scene.parameters.tank.shape);
 }
 
@@ -57,13 +52,10 @@ void put_one_level(const std::vector<Setting>& settings, Scene& scene, std::vect
     return;
   }
   if (given.empty() && scene.parameters.tank.shape == TankShape::box) return;
-  if (given.empty()) {
-    complaints.push_back({"[fluid] doesn't tell how full the tank is; give depth, fill, fill_height or volume", {}});
-    return;
-  }
   scene.parameters.fluid.depth = 0;
+  if (given.empty()) return;
   scene.given.fill = scene.given.fill_height = scene.given.volume = 0;
-  put(*given[0], scene, complaints);
+  assign(*given[0]->option, scene, given[0]->value);
 }
 
 void settle_tank(Scene& scene, const std::filesystem::path& folder) {
@@ -78,6 +70,8 @@ void settle_tank(Scene& scene, const std::filesystem::path& folder) {
     p.tank.points = read_points_file((folder / given.file).string(), p.tank.shape);
     given.file.clear();
   }
+  if (p.fluid.depth + given.fill + given.fill_height + given.volume == 0)
+    throw BadParameters("[fluid] doesn't tell how full the tank is; give depth, fill, fill_height or volume");
   check_tank(p);
   if (given.fill > 0) p.fluid.depth = depth_holding(p, given.fill * tank_measures(p).volume);
   if (given.fill_height > 0) p.fluid.depth = given.fill_height * tank_surface(p).size()[1];

@@ -14,8 +14,9 @@ namespace {
 void check_level(const Parameters& p, const SurfaceMesh& wall) {
   const double l0 = p.particles.spacing, depth = p.fluid.depth, height = wall.size()[1];
   if (depth > height)
-    throw BadParameters(
-        fmt::format("fluid.depth = {:.6g} m is more than the height of the tank, {:.6g} m", depth, height));
+    throw BadParameters(fmt::format("fluid.depth = {:.6g} m is more than {}{:.6g} m", depth,
+                                    p.tank.shape == TankShape::box ? "tank.height = " : "the height of the tank, ",
+                                    height));
   const double greatest = height - l0;
   if (p.tank.closed && p.fluid.column == 0 && depth > greatest + 1e-6 * l0)
     throw BadParameters(fmt::format(

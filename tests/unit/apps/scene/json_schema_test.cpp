@@ -26,7 +26,7 @@ TEST(JsonSchema, HasEachKeyWithItsTypeDefaultAndRange) {
     const json properties = properties_of(schema, option.section);
     ASSERT_TRUE(properties.contains(option.key)) << dotted(option);
     const json& key = properties.at(std::string(option.key));
-    EXPECT_TRUE(key.contains("type") && key.contains("default")) << dotted(option);
+    EXPECT_TRUE((key.contains("type") || key.contains("oneOf")) && key.contains("default")) << dotted(option);
     EXPECT_NE(key.at("description").get<std::string>().find(option.help), std::string::npos) << dotted(option);
     if (std::holds_alternative<Range>(option.rule)) {
       EXPECT_TRUE(key.contains("maximum")) << dotted(option);

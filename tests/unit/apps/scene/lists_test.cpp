@@ -101,10 +101,10 @@ TEST(Lists, NameThePlaceOfEachMistake) {
                           {"x.toml:3:5", "[[sensors.gauge]]", "x", "'left'", "0", "1000", "[m]"}));
   EXPECT_TRUE(test::tells(errors_of("[[sensors.gauge]]\nname = \"a\"\nx = inf\n"),
                           {"x.toml:3:5", "[[sensors.gauge]]", "x", "0", "1000", "[m]"}));
-  EXPECT_TRUE(test::tells(errors_of("[[sensors.gauge]]\nname = \"a\"\nx = -1\n"),
-                          {"x.toml:3:5", "[[sensors.gauge]]", "x", "-1", "0", "1000", "[m]"}));
+  EXPECT_TRUE(test::tells(errors_of("[[sensors.gauge]]\nname = \"a\"\nx = -2000\n"),
+                          {"x.toml:3:5", "[[sensors.gauge]]", "x", "-2000", "-1000", "1000", "[m]"}));
   EXPECT_TRUE(test::tells(errors_of("[[sensors.gauge]]\nname = \"a\"\nx = [1]\n"),
-                          {"x.toml:3:1", "[[sensors.gauge]]", "x", "0", "1000", "[m]"}));
+                          {"x.toml:3:5", "[[sensors.gauge]]", "x", "0", "1000", "[m]"}));
   EXPECT_TRUE(test::tells(errors_of("[[motion.harmonic]]\nof = \"rol\"\n"),
                           {"x.toml:2:6", "[[motion.harmonic]]", "of", "'rol'", "'roll'?"}));
   EXPECT_TRUE(test::tells(errors_of("[sensors.gauge]\nname = \"a\"\n"),

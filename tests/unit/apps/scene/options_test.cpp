@@ -25,6 +25,9 @@ Value other_value(const Option& option) {
     return std::holds_alternative<double>(now) ? Value(range->high) : Value(static_cast<std::int64_t>(range->high));
   }
   if (const auto* choices = std::get_if<Choices>(&option.rule)) return std::string(choices->back());
+  if (const auto* rule = std::get_if<OneOr>(&option.rule)) return rule->range.high;
+  if (std::holds_alternative<Pairs>(option.rule)) return Points{{0, 0}, {1, 0}, {0, 1}};
+  if (option.key == "section") return std::string("x=0.5");
   if (option.key == "size") return std::string("800x600");
   return std::string(option.key == "curves" ? "0" : "0,1");
 }

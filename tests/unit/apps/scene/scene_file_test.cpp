@@ -84,7 +84,9 @@ TEST(SceneFile, AWrongTypeSaysWhatIsExpected) {
   EXPECT_TRUE(test::tells(errors_of("[pressure]\nmax_iterations = 1.5\n"),
                           {"x.toml:2:18", "[pressure]", "max_iterations", "1.5", "1", "1000000"}));
   EXPECT_TRUE(
-      test::tells(errors_of("[fluid]\ndepth = [1, 2]\n"), {"x.toml:2:1", "[fluid]", "depth", "0", "1000", "[m]"}));
+      test::tells(errors_of("[fluid]\ndepth = [1, 2]\n"), {"x.toml:2:9", "[fluid]", "depth", "0", "1000", "[m]"}));
+  const std::string twice = errors_of("[tank]\nshape = \"ball\"\n[fluid]\ndepth = -1\n");
+  EXPECT_EQ(std::count(twice.begin(), twice.end(), '\n'), 1) << "each is told once: " << twice;
 }
 
 TEST(SceneFile, AValueOutOfRangeOrNotFiniteIsRefused) {

@@ -26,10 +26,9 @@ TEST(SceneText, ReadsBackToTheSameScene) {
 TEST(SceneText, ExplainsEachKeyOnItsLine) {
   const std::string text = explained_scene_text(Scene{});
   EXPECT_NE(text.find("\n[motion]\n"), std::string::npos);
-  EXPECT_NE(
-      text.find(
-          "\ndepth = 0.2                      # still level above the floor (a number above 0, up to 1000 [m])\n"),
-      std::string::npos);
+  EXPECT_NE(text.find("\nlength = 0.6                     # box: along x; membrane: along z, 0: the run is 2-D; "
+                      "cylinder: of its shell (a number from 0 to 1000 [m])\n"),
+            std::string::npos);
 }
 
 TEST(SceneText, EscapesWhatTomlNeedsEscaped) {

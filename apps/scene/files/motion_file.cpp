@@ -1,4 +1,4 @@
-#include "apps/scene/motion_file.hpp"
+#include "apps/scene/files/motion_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "apps/scene/references.hpp"
+#include "apps/scene/files/references.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "apps/scene/points_file.hpp"
+#include "apps/scene/files/points_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,61 @@
+#include "apps/scene/tank_settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "apps/scene/scene_file.hpp"
+#include "tests/facts.hpp"
+#include "tests/unit/apps/files.hpp"
+
+namespace seiche::apps {
+namespace {
+
+using std::numbers::pi;
+
+const std::string ball = "[tank]\nshape = \"sphere\"\nradius = 0.25\n[particles]\nspacing = 0.02\n";
+
+std::string error_of(const std::string& text) {
+  try {
+    parse_scene(text, "x.toml", {});
+  } catch (const BadScene& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+double depth_of(const std::string& text) { return parse_scene(text, "x.toml", {}).parameters.fluid.depth; }
+
+TEST(TankSettings, AnyOfFourTellsHowFullTheTankIs) {
+  EXPECT_EQ(depth_of(ball + "[fluid]\ndepth = 0.125\n"), 0.125);
+  EXPECT_EQ(depth_of(ball + "[fluid]\nfill_height = 0.25\n"), 0.125);
+  EXPECT_NEAR(depth_of(ball + "[fluid]\nfill = 0.5\n"), 0.25, 1e-9);
+  // A cap of depth h has the volume pi h^2 (R - h/3); the wall's facets lie within it.
+  const double cap = pi * 0.125 * 0.125 * (0.25 - 0.125 / 3);
+  EXPECT_NEAR(depth_of(ball + "[fluid]\nvolume = " + std::to_string(cap) + "\n"), 0.125, 2e-4 * 0.125);
+  EXPECT_NEAR(depth_of("[fluid]\nfill = 0.3\n"), 0.12, 1e-12);
+}
+
+TEST(TankSettings, TwoLevelsOrNoneAreRefused) {
+  EXPECT_TRUE(
+      test::tells(error_of(ball + "[fluid]\ndepth = 0.1\nfill = 0.5\n"), {"x.toml:8:8", "depth", "fill", "leave one"}));
+  EXPECT_TRUE(test::tells(error_of(ball), {"x.toml", "[fluid]", "depth, fill, fill_height or volume"}));
+  EXPECT_TRUE(test::tells(error_of(ball + "[fluid]\nvolume = 0.07\n"), {"x.toml", "fluid.volume = 0.07 m^3", "0.065"}));
+}
+
+TEST(TankSettings, TheCommandLineSLevelTakesThePlaceOfTheFileS) {
+  const Scene scene = parse_scene(ball + "[fluid]\nfill = 0.5\n", "x.toml", {parse_set("fluid.depth=0.1")});
+  EXPECT_EQ(scene.parameters.fluid.depth, 0.1);
+}
+
+TEST(TankSettings, PointsComeFromTheirFile) {
+  const std::string prism = "[tank]\nshape = \"prism\"\n[fluid]\nfill = 0.5\n";
+  EXPECT_TRUE(test::tells(error_of(prism), {"x.toml", "tank.points", "missing"}));
+  EXPECT_TRUE(test::tells(error_of("[tank]\nfile = \"a.csv\"\n"), {"x.toml", "tank.file", "box", "leave it out"}));
+  EXPECT_TRUE(test::tells(error_of("[tank]\nshape = \"prism\"\npoints = [[0, 0], [1, 0], [0, 1]]\nfile = \"a.csv\"\n"
+                                   "[fluid]\nfill = 0.5\n"),
+                          {"x.toml", "tank.points", "tank.file", "leave one"}));
+}
+
+}  // namespace
+}  // namespace seiche::apps
