@@ -1,7 +1,5 @@
 #include "solver/tank/mesh/closest.hpp"
 
-#include <limits>
-
 namespace seiche::solver {
 
 Foot foot_on(const Triangles& mesh, int triangle, const Vec<3>& r) {
@@ -34,14 +32,17 @@ Closest::Closest(const Triangles& mesh) : mesh_(&mesh) {
   tree_ = BoxTree<3>(boxes);
 }
 
-Foot Closest::foot(const Vec<3>& r) const {
+Foot Closest::foot(const Vec<3>& r, double within) const {
   Foot best;
   best.squared_distance = std::numeric_limits<double>::infinity();
-  tree_.search(r, [&](int t) {
-    const Foot one = foot_on(*mesh_, t, r);
-    if (one.squared_distance < best.squared_distance) best = one;
-    return best.squared_distance;
-  });
+  tree_.search(
+      r,
+      [&](int t) {
+        const Foot one = foot_on(*mesh_, t, r);
+        if (one.squared_distance < best.squared_distance) best = one;
+        return best.squared_distance;
+      },
+      within * within);
   return best;
 }
 

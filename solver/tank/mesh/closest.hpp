@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+
 #include "solver/tank/box_tree.hpp"
 #include "solver/tank/mesh/triangles.hpp"
 
@@ -23,7 +25,8 @@ class Closest {
   /// Refers to the mesh.
   explicit Closest(const Triangles& mesh);
 
-  Foot foot(const Vec<3>& r) const;
+  /// @param within a distance at which or below which it is known to be [m]
+  Foot foot(const Vec<3>& r, double within = std::numeric_limits<double>::infinity()) const;
 
  private:
   const Triangles* mesh_;
