@@ -10,14 +10,15 @@ namespace seiche::solver {
 namespace {
 
 // Of l0. Points thrown at random that are no nearer than that settle to one on each l0^2.
-constexpr double thrown_gap = 0.84;
+constexpr double thrown_gap = 0.79;
+constexpr double side_of_piece = 0.25;
 constexpr double mitre_gap = 0.7;
 constexpr double grid_cell = 1.3;
 /// How far a piece may be from its point.
 constexpr double farthest = 1.25;
 constexpr double neighbourhood = 2;
 constexpr double least_volume = 0.2;
-constexpr int rounds = 12;
+constexpr int rounds = 20;
 
 bool has_room(const PointGrid& grid, const Vec<3>& r, double gap) { return grid.nearest(r, gap) < 0; }
 
@@ -31,12 +32,16 @@ std::vector<int> shuffled(int count) {
 }
 
 void throw_points(const LayerSurface& surface, const std::vector<ShellPiece>& pieces, double l0, PointGrid& grid) {
+  std::mt19937 random(2);
+  const auto anywhere = [&] { return l0 * side_of_piece * (static_cast<double>(random()) / random.max() - 0.5); };
   for (const int k : shuffled(static_cast<int>(pieces.size()))) {
     const ShellPiece& piece = pieces[k];
-    const double off = std::abs(piece.depth - surface.depth());
-    if (off > 0.35 * l0 || !has_room(grid, piece.at, thrown_gap * l0 - off)) continue;
-    if (const auto placed = surface.place(piece.at); placed && has_room(grid, *placed, thrown_gap * l0))
-      grid.add(*placed);
+    const double off = std::abs(piece.depth - surface.depth()) + side_of_piece * l0;
+    if (off > 0.4 * l0) continue;
+    const double x = anywhere(), y = anywhere(), z = anywhere();
+    const Vec<3> at = piece.at + Vec<3>(x, y, z);
+    if (!has_room(grid, at, thrown_gap * l0 - off)) continue;
+    if (const auto placed = surface.place(at); placed && has_room(grid, *placed, thrown_gap * l0)) grid.add(*placed);
   }
 }
 
