@@ -61,12 +61,11 @@ class SolidEdges {
 /// As `WallPoint` has it.
 Vec<3> normal_behind(const MeshSurface& surface, const Vec<3>& r, const Foot& foot) {
   const Creases& creases = surface.creases();
+  if (!creases.is_corner(foot)) return creases.smooth_normal(foot);
   const Vec<3> off = r - foot.at;
-  if (foot.on == Foot::On::face) return creases.smooth_normal(foot);
-  const double distance = off.norm();
   for (const Vec<3>& normal : creases.normals_at(foot))
-    if (normal.dot(off) > (1 - 1e-9) * distance) return normal;
-  return creases.is_corner(foot) ? Vec<3>(Vec<3>::Zero()) : Vec<3>(off / distance);
+    if (normal.dot(off) > (1 - 1e-9) * off.norm()) return normal;
+  return Vec<3>::Zero();
 }
 
 }  // namespace

@@ -2,20 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "solver/errors.hpp"
 #include "solver/tank/mesh/edges.hpp"
 #include "solver/tank/mesh/orient.hpp"
+#include "solver/tank/mesh/self_crossing.hpp"
 #include "solver/tank/mesh/slivers.hpp"
-#include "solver/tank/mesh/winding_tree.hpp"
 
 namespace seiche::solver {
 namespace {
 
 constexpr double sliver_height = 1e-6;    // of the mesh's size
 constexpr double stitch_distance = 1e-5;  // the same
-constexpr double least_overlap = 1e-3;    // of its area
+constexpr double shallow = 0.1;           // of the widest hole: how far parts may pass through each other
 
 std::string place(const Vec<3>& at) { return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", at[0], at[1], at[2]); }
 
@@ -43,35 +41,6 @@ bool has_pairs_only(const Triangles& mesh) {
   return pairs;
 }
 
-/// Whether all triangles have liquid on one side and none on the other. Throws where more than a few haven't.
-bool bounds_liquid(const Triangles& mesh) {
-  const WindingTree tree(mesh);
-  const auto is_wrong = [&](int t) {
-    const Vec<3> area = mesh.area(t);
-    if (area.isZero()) return false;
-    const Vec<3> step = 1e-3 / std::sqrt(area.norm()) * area;
-    return tree.number(mesh.centre(t) + step) > 0.5 || tree.number(mesh.centre(t) - step) < 0.5;
-  };
-  std::vector<char> wrong(mesh.count());
-#pragma omp parallel for schedule(dynamic, 256)
-  for (int t = 0; t < mesh.count(); ++t) wrong[t] = is_wrong(t);
-  double all = 0, out = 0, largest = 0;
-  Vec<3> at = Vec<3>::Zero();
-  for (int t = 0; t < mesh.count(); ++t) {
-    const double area = mesh.area(t).norm();
-    all += area;
-    if (!wrong[t]) continue;
-    out += area;
-    if (area > largest) largest = area, at = mesh.centre(t);
-  }
-  if (out > least_overlap * all)
-    throw BadParameters(
-        fmt::format("parts of the mesh overlap or cross each other near {}: join them to one surface in the program "
-                    "that made the mesh",
-                    place(at)));
-  return out == 0;
-}
-
 }  // namespace
 
 Mended mended(const SurfaceMesh& surface, double widest) {
@@ -90,7 +59,12 @@ Mended mended(const SurfaceMesh& surface, double widest) {
   face_outwards(mesh, face_one_way(mesh));
   for (std::size_t t = 0; t < given.size(); ++t) faults.turned += mesh.corners[t] != given[t];
   result.simple = has_pairs_only(mesh);
-  result.simple &= bounds_liquid(mesh);
+  const SelfCrossing crossing = self_crossing(mesh);
+  if (crossing.depth > shallow * widest)
+    throw BadParameters(
+        fmt::format("the mesh passes through itself at {}: join its parts to one surface in the program that made it",
+                    place(crossing.at)));
+  result.simple &= crossing.depth == 0;
   return result;
 }
 

@@ -16,13 +16,14 @@ struct MeshFaults {
 struct Mended {
   Triangles mesh;
   MeshFaults faults;
-  /// No side has more than two triangles, no triangle is inside another part: the nearest triangle tells the sign.
+  /// No side has more than two triangles, and nowhere does it pass through itself: the nearest triangle tells the sign.
   bool simple = true;
 };
 
 /// Makes a closed surface of a mesh as users have them: joins its triangles, takes out those without an area, turns
 /// them to face one way, closes holes; parts inside others become holes of the tank. Throws BadParameters where a hole
-/// is wider than `widest` [m], a surface splits the inside without a thickness or parts of it overlap, and where.
+/// is wider than `widest` [m], a sheet splits the inside, or the surface passes through itself by more than a tenth of
+/// that, and where.
 Mended mended(const SurfaceMesh& mesh, double widest);
 
 }  // namespace seiche::solver
