@@ -22,10 +22,11 @@ class BoxTree {
 
   /// Asks the items that may be nearer to r than the nearest so far.
   /// @param least_squared of an item's number: asks it, and returns the least squared distance of all asked
+  /// @param least squared distance from which on items are of no interest
   template <class LeastSquared>
-  void search(const Vec<D>& r, LeastSquared least_squared) const {
+  void search(const Vec<D>& r, LeastSquared least_squared,
+              double least = std::numeric_limits<double>::infinity()) const {
     if (nodes_.empty()) return;
-    double least = std::numeric_limits<double>::infinity();
     visit(0, r, least, least_squared);
   }
 

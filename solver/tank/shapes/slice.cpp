@@ -15,32 +15,6 @@ namespace {
 
 using Edges = std::vector<Edge>;
 
-template <class Tank>
-void check_met(const Tank& tank, const SectionPlane& plane) {
-  const Bounds<3> bounds = tank.bounds();
-  const int axis = static_cast<int>(plane.axis);
-  if (plane.at > bounds.low[axis] && plane.at < bounds.high[axis]) return;
-  throw BadParameters(fmt::format("the section {} = {:.6g} m misses the tank, which goes from {} = {:.6g} to {:.6g} m",
-                                  name(plane.axis), plane.at, name(plane.axis), bounds.low[axis], bounds.high[axis]));
-}
-
-/// Names of those patches alone that edges have, which are numbered anew.
-Section with_its_patches(std::vector<Edges> loops, const std::vector<std::string>& names) {
-  std::vector<std::string> used;
-  std::vector<int> number(names.size(), -1);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const auto has = [&](const Edge& edge) { return edge.patch == static_cast<int>(k); };
-    const bool met = std::any_of(loops.begin(), loops.end(),
-                                 [&](const Edges& loop) { return std::any_of(loop.begin(), loop.end(), has); });
-    if (!met) continue;
-    number[k] = static_cast<int>(used.size());
-    used.push_back(names[k]);
-  }
-  for (Edges& loop : loops)
-    for (Edge& edge : loop) edge.patch = number[static_cast<std::size_t>(edge.patch)];
-  return Section(Contour(std::move(loops)), std::move(used));
-}
-
 /// Adds a curve from `from` to `to` as chords that lie within the tolerance of it. @param at the curve, by share
 template <class At>
 void add_chords(const At& at, double from, double to, int patch, double tolerance, Edges& chords, int depth = 0) {
@@ -100,8 +74,31 @@ Edges circle(const Vec<2>& centre, double radius, int patch) {
 
 }  // namespace
 
+void check_met(const Bounds<3>& bounds, const SectionPlane& plane) {
+  const int axis = static_cast<int>(plane.axis);
+  if (plane.at > bounds.low[axis] && plane.at < bounds.high[axis]) return;
+  throw BadParameters(fmt::format("the section {} = {:.6g} m misses the tank, which goes from {} = {:.6g} to {:.6g} m",
+                                  name(plane.axis), plane.at, name(plane.axis), bounds.low[axis], bounds.high[axis]));
+}
+
+Section section_of(std::vector<Edges> loops, const std::vector<std::string>& names) {
+  std::vector<std::string> used;
+  std::vector<int> number(names.size(), -1);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto has = [&](const Edge& edge) { return edge.patch == static_cast<int>(k); };
+    const bool met = std::any_of(loops.begin(), loops.end(),
+                                 [&](const Edges& loop) { return std::any_of(loop.begin(), loop.end(), has); });
+    if (!met) continue;
+    number[k] = static_cast<int>(used.size());
+    used.push_back(names[k]);
+  }
+  for (Edges& loop : loops)
+    for (Edge& edge : loop) edge.patch = number[static_cast<std::size_t>(edge.patch)];
+  return Section(Contour(std::move(loops)), std::move(used));
+}
+
 Section slice(const Extruded& tank, const SectionPlane& plane) {
-  check_met(tank, plane);
+  check_met(tank.bounds(), plane);
   if (plane.axis == Axis::z) return tank.section();
   // A rectangle for each piece of the line x = at.
   std::vector<std::string> names = tank.section().patches();
@@ -117,11 +114,11 @@ Section slice(const Extruded& tank, const SectionPlane& plane) {
                      {{right, high}, {left, high}, 0, ends[k + 1].patch},
                      {{left, high}, {left, low}, 0, near}});
   }
-  return with_its_patches(std::move(loops), names);
+  return section_of(std::move(loops), names);
 }
 
 Section slice(const Revolved& tank, const SectionPlane& plane) {
-  check_met(tank, plane);
+  check_met(tank.bounds(), plane);
   const int axis = static_cast<int>(plane.axis), across = 2 - axis;  // the run's x
   const double offset = std::abs(plane.at - tank.origin()[axis]);
   const Vec<2> origin(tank.origin()[across], tank.origin()[1]);
@@ -130,7 +127,7 @@ Section slice(const Revolved& tank, const SectionPlane& plane) {
     const std::vector<Crossing> ends = crossings(tank.half(), 1, plane.at - tank.origin()[axis]);
     for (const Crossing& end : ends)
       if (end.at > 1e-9 * tank.half().bounds().size().maxCoeff()) loops.push_back(circle(origin, end.at, end.patch));
-    return with_its_patches(std::move(loops), tank.patches());
+    return section_of(std::move(loops), tank.patches());
   }
   if (offset <= 1e-9 * tank.half().bounds().size().maxCoeff())
     loops = tank.whole().loops();
@@ -147,7 +144,7 @@ Section slice(const Revolved& tank, const SectionPlane& plane) {
       edge.from += origin;
       edge.to += origin;
     }
-  return with_its_patches(std::move(loops), tank.patches());
+  return section_of(std::move(loops), tank.patches());
 }
 
 }  // namespace seiche::solver
