@@ -63,6 +63,13 @@ std::vector<Outline>::iterator around(std::vector<Outline>& bodies, const Loop& 
   return best;
 }
 
+/// A plate of two corners gets one on each of its sides, which tells them apart.
+Loop with_sides(Loop loop) {
+  if (loop.size() != 2) return loop;
+  const Corner middle{(0.5 * (loop[0].at + loop[1].at)).array().round(), false};
+  return {loop[0], middle, loop[1], middle};
+}
+
 bool has_surface(const Outline& body) {
   return std::any_of(body.outer.begin(), body.outer.end(), [](const Corner& corner) { return corner.surface; });
 }
@@ -101,7 +108,7 @@ std::vector<Outline> liquid_below(double level, const Polygons& section) {
   for (const Loop& loop : loops)
     if (!(signed_area(loop) > 0)) {
       const auto body = around(bodies, loop);
-      if (body != bodies.end()) body->holes.push_back(loop);
+      if (body != bodies.end()) body->holes.push_back(with_sides(loop));
     }
   std::erase_if(bodies, [](const Outline& body) { return !has_surface(body); });
   if (bodies.empty())

@@ -10,12 +10,14 @@
 #include "solver/errors.hpp"
 #include "solver/modes/ears.hpp"
 #include "solver/modes/element_size.hpp"
+#include "solver/modes/no_crossing.hpp"
 #include "solver/modes/refine.hpp"
 
 namespace seiche::solver::modes {
 namespace {
 
 TriangleMesh mesh_of(const Outline& outline, int along, double longest) {
+  check_no_crossing(outline);
   const Walk walk = joined(outline);
   std::vector<Vec<2>> points;
   std::vector<bool> surface;
@@ -58,7 +60,7 @@ std::vector<Chamber> section_modes(const Polygons& section, double level, double
             "first frequencies: the profile has the radius {:.6g} m at height {:.6g} m; none may be negative", r[0],
             r[1]));
   const double infinity = std::numeric_limits<double>::infinity();
-  const double longest = across.wave_number > 0 ? 1 / across.wave_number : infinity;
+  const double longest = across.wave_number > 0 ? 0.6 / across.wave_number : infinity;
   std::vector<Chamber> chambers;
   for (const Outline& outline : liquid_below(level, section)) {
     const TriangleMesh mesh = mesh_of(outline, along > 0 ? along : 6 * count + 14, longest);
