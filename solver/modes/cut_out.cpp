@@ -17,6 +17,7 @@ double signed_area(const Points& points) {
 }
 
 struct Cut {
+  double tolerance;
   Arrangement all;
   /// Of all loops of the section; of each solid; of all plates.
   std::vector<Way> section;
@@ -38,7 +39,7 @@ struct Cut {
   /// Whether there may be liquid just to the left of the way's middle.
   bool is_wall(const Way& way) const {
     const Vec<2> along = at(way.second) - at(way.first);
-    const Vec<2> left = at(way.first) + 0.5 * along + 1e-6 * Vec<2>(-along[1], along[0]);
+    const Vec<2> left = at(way.first) + 0.5 * along + 0.1 * tolerance * Vec<2>(-along[1], along[0]).normalized();
     return is_inside(section, left) &&
            std::none_of(solids.begin(), solids.end(), [&](const auto& solid) { return is_inside(solid, left); });
   }
@@ -61,7 +62,8 @@ Cut cut_up(const Polygons& section, const Polygons& solids, const Polygons& plat
   }
   for (const Points& plate : plates) add(plate, false);
 
-  Cut cut{arranged(lines, 1e-9 * size), {}, {}, {}};
+  const double tolerance = 1e-9 * size;
+  Cut cut{tolerance, arranged(lines, tolerance), {}, {}, {}};
   const auto ways = [&](std::size_t from, std::size_t to) {
     std::vector<Way> some;
     for (std::size_t k = from; k < to; ++k) some.insert(some.end(), cut.all.ways[k].begin(), cut.all.ways[k].end());

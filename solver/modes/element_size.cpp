@@ -39,17 +39,19 @@ void ElementSize::add(const Loop& loop) {
     const Vec<2>&before = loop[(k + count - 1) % count].at, &here = loop[k].at, &after = loop[(k + 1) % count].at;
     const double angle = angle_at(before, here, after);
     double size = std::min((here - before).norm(), (after - here).norm());
-    if (angle > 190 * degree)
-      size = std::min(size, 1e-4 * at_surface_);
-    else if (angle > 100 * degree && angle < 170 * degree)
-      size = std::min(size, 0.05 * at_surface_);
+    // The error that a corner leaves goes with its triangles' size to the power 2 pi/angle.
+    if (angle > 100 * degree && std::abs(angle - 180 * degree) > 10 * degree)
+      size = std::min(size, at_surface_ * std::pow(1e-4, angle / (360 * degree)));
     if (size < at_surface_ + growth_ * (level_ - here[1])) sources_.push_back({here, size});
   }
 }
 
 double ElementSize::operator()(const Vec<2>& at) const {
   double size = at_surface_ + growth_ * (level_ - at[1]);
-  for (const Source& source : sources_) size = std::min(size, source.size + growth_ * (at - source.at).norm());
+  for (const Source& source : sources_) {
+    const double reach = (size - source.size) / growth_, squared = (at - source.at).squaredNorm();
+    if (reach > 0 && squared < reach * reach) size = source.size + growth_ * std::sqrt(squared);
+  }
   return size;
 }
 
