@@ -22,7 +22,7 @@ class ElementSize {
 
   void add(const Loop& loop);
 
-  double level_, at_surface_, growth_;
+  double level_ = 0, at_surface_, growth_;
   std::vector<Source> sources_;
 };
 
