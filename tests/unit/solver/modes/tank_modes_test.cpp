@@ -27,7 +27,7 @@ TEST(TankModes, OfAPrismWithARectangleAreTheBoxs) {
 }
 
 TEST(TankModes, OfAnUprightCylinderAreTheClosedForms) {
-  const auto modes = tank_modes(cylinder(0.25, 0.4, 1, Head::flat), 0.25, g, 5);
+  const auto modes = tank_modes(cylinder(0.25, 0.4, Axis::y, Head::flat), 0.25, g, 5);
   expect_frequencies(modes, upright_cylinder_frequencies(0.25, 0.25, g, 5));
   EXPECT_EQ(modes[0].wave, "1 wave round the axis");
   EXPECT_EQ(modes[1].wave, "2 waves round the axis");
@@ -41,11 +41,11 @@ TEST(TankModes, OfASphere) {
 
 TEST(TankModes, OfALyingCylinder) {
   // Reference eigenfrequencies, L/R = 4: along it omega^2 R/g = 0.42570; across it 1.35573.
-  for (const int axis : {0, 2}) {
+  for (const Axis axis : {Axis::x, Axis::z}) {
     const auto tank = cylinder(0.25, 1, axis, Head::flat);
     const auto modes = tank_modes(tank, 0.25, g, 8);
     EXPECT_NEAR(modes[0].frequency / std::sqrt(0.42570 * g / 0.25), 1, 1e-4);
-    EXPECT_EQ(modes[0].wave, axis == 0 ? "1 half wave along x" : "1 half wave along z");
+    EXPECT_EQ(modes[0].wave, axis == Axis::x ? "1 half wave along x" : "1 half wave along z");
     bool found = false;
     for (const TankMode& mode : modes)
       found |= mode.wave == "across" && std::abs(mode.frequency / std::sqrt(1.35573 * g / 0.25) - 1) < 1e-4;
@@ -54,12 +54,12 @@ TEST(TankModes, OfALyingCylinder) {
 }
 
 TEST(TankModes, OfALyingTankWithRoundEndsAreNotTold) {
-  EXPECT_TRUE(tank_modes(cylinder(0.25, 1, 0, Head::elliptical), 0.25, g, 2).empty());
+  EXPECT_TRUE(tank_modes(cylinder(0.25, 1, Axis::x, Head::elliptical), 0.25, g, 2).empty());
 }
 
 TEST(TankModes, OfAnUprightTankWithRoundEndsAreNearlyThoseOfAFlatOneOfItsVolume) {
   // High above the head, its form doesn't matter: exp(-2 k h).
-  const auto round = tank_modes(cylinder(0.25, 1, 1, Head::elliptical), 0.875, g, 1);
+  const auto round = tank_modes(cylinder(0.25, 1, Axis::y, Head::elliptical), 0.875, g, 1);
   EXPECT_NEAR(round[0].frequency / upright_cylinder_frequencies(0.25, 0.8, g, 1)[0], 1, 1e-4);
 }
 
