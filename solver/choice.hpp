@@ -43,7 +43,7 @@ enum class MotionType { none, harmonic, harmonics, file };
 enum class Start { impulsive, smooth };
 /// What a pressure sensor makes of the pressures on its area.
 enum class PressureReading { mean, maximum };
-enum class TankShape { box, prism, membrane, cylinder, sphere, revolve };
+enum class TankShape { box, prism, membrane, cylinder, sphere, revolve, mesh };
 enum class Axis { x, y, z };
 /// Ends of a cylinder.
 enum class Head { flat, hemispherical, elliptical, torispherical };
@@ -135,7 +135,8 @@ struct ChoiceTable<TankShape> {
       Choice{TankShape::membrane, "membrane", "breadth and height with chamfers, along z by length"},
       Choice{TankShape::cylinder, "cylinder", "radius and length along an axis, with ends"},
       Choice{TankShape::sphere, "sphere", "radius"},
-      Choice{TankShape::revolve, "revolve", "points (height, radius) about the vertical"}};
+      Choice{TankShape::revolve, "revolve", "points (height, radius) about the vertical"},
+      Choice{TankShape::mesh, "mesh", "an STL file's triangles"}};
 };
 template <>
 struct ChoiceTable<Axis> {

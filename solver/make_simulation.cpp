@@ -2,10 +2,15 @@
 
 #include <omp.h>
 
+#include <numbers>
+
 #include "solver/check_parameters.hpp"
+#include "solver/modes/tank_modes.hpp"
 #include "solver/motion/excursion.hpp"
+#include "solver/motion/wave_speed.hpp"
 #include "solver/sensors/sensor_kinds.hpp"
 #include "solver/step/mps.hpp"
+#include "solver/tank/body.hpp"
 #include "solver/tank/level.hpp"
 #include "solver/tank/measures.hpp"
 #include "solver/tank/shape.hpp"
@@ -30,6 +35,25 @@ TankMeasures tank_measures(const Parameters& p) {
 double depth_holding(const Parameters& p, double volume) {
   const SurfaceMesh wall = solver::wall_surface(p);
   return solver::level_holding(wall, volume) - wall.low()[1];
+}
+
+std::string mended_of(const Parameters& p) {
+  if (p.tank.shape != TankShape::mesh) return {};
+  return solver::text_of(solver::MeshTank(p.tank.mesh, p.particles.spacing).faults());
+}
+
+std::vector<NaturalMode> natural_modes(const Parameters& p, int count) {
+  if (p.gravity == 0 || p.fluid.column > 0) return {};
+  std::vector<NaturalMode> modes;
+  for (const solver::modes::TankMode& mode : solver::modes::tank_modes(p, count))
+    modes.push_back({2 * std::numbers::pi / mode.frequency, mode.wave});
+  return modes;
+}
+
+double greatest_pull(const Parameters& p) {
+  const solver::Motion motion(p.motion);
+  return p.dimension() == 3 ? solver::greatest_pull(p, solver::make_shape<3>(p)->bounds(), motion)
+                            : solver::greatest_pull(p, solver::make_shape<2>(p)->bounds(), motion);
 }
 
 std::unique_ptr<Simulation> make_simulation(const Parameters& p, double sample_interval) {

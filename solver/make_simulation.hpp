@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "solver/column.hpp"
@@ -37,6 +38,21 @@ TankMeasures tank_measures(const Parameters& parameters);
 
 /// The depth [m] at which the tank holds that volume of liquid, all its height if it holds less.
 double depth_holding(const Parameters& parameters, double volume);
+
+/// What was mended of the tank's mesh, as in "2 holes closed, the widest 0.001 m across"; empty where nothing was.
+std::string mended_of(const Parameters& parameters);
+
+/// A wave of small height in a tank that is still.
+struct NaturalMode {
+  double period;     ///< [s]
+  std::string wave;  ///< as in "across", "1 half wave along z", "1 wave round the axis"
+};
+
+/// The first natural modes of the liquid by linear theory, the slowest first; none without gravity, of a dam break, and where no section of the tank gives them. Throws BadParameters.
+std::vector<NaturalMode> natural_modes(const Parameters& parameters, int count);
+
+/// What pulls the liquid: gravity, or the tank's greatest acceleration where that is more [m/s^2].
+double greatest_pull(const Parameters& parameters);
 
 /// No point of the tank, wall particles included, is ever displaced by more on each axis [m].
 Double3 motion_extent(const Parameters& parameters);

@@ -7,6 +7,7 @@
 #include "solver/choice.hpp"
 #include "solver/degree_of_freedom.hpp"
 #include "solver/section_plane.hpp"
+#include "solver/surface_mesh.hpp"
 
 namespace seiche {
 
@@ -14,7 +15,7 @@ namespace seiche {
 /// ranges; `Simulation` checks only what concerns several members at once.
 struct Parameters {
   Preset preset = Preset::stabilised;
-  double gravity = 9.81;  ///< [m/s^2], along -y
+  double gravity = 9.81;  ///< [m/s^2], along -y; 0: none
 
   struct Fluid {
     double density = 1000;    ///< rho [kg/m^3]
@@ -37,6 +38,7 @@ struct Parameters {
     Head ends = Head::flat;  ///< cylinder
     std::array<double, 2> lower_chamfer{}, upper_chamfer{};  ///< membrane: what each takes off along x and along y
     std::vector<std::array<double, 2>> points{};             ///< prism: (x, y); revolve: (height, radius)
+    SurfaceMesh mesh{};                                      ///< mesh: triangles
     std::optional<SectionPlane> section{};                   ///< the run is 2-D, in this plane of a 3-D tank
     bool closed = true;                                      ///< box: with a roof
 
@@ -147,6 +149,7 @@ inline bool Parameters::Tank::is_body() const {
     case TankShape::cylinder:
     case TankShape::sphere:
     case TankShape::revolve:
+    case TankShape::mesh:
       break;
   }
   return true;

@@ -25,8 +25,8 @@ struct QuantityRow : Choice<Quantity> {
 
 template <>
 struct ChoiceTable<Quantity> {
-  // g H, the square of a long wave's speed [m^2/s^2].
-  static double wave(const RunInfo& run) { return std::abs(run.gravity) * run.depth; }
+  // a H, the square of a long wave's speed under the greatest pull [m^2/s^2]; 1 where nothing pulls.
+  static double wave(const RunInfo& run) { return run.pull > 0 ? run.pull * run.depth : 1; }
 
   static constexpr std::array rows{
       QuantityRow{{Quantity::pressure, "pressure", "gauge"},

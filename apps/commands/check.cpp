@@ -28,12 +28,27 @@ const char* origin_of(const Parameters::Tank& tank) {
       return "that of its points";
     case TankShape::membrane:
       return "the middle of its floor";
+    case TankShape::mesh:
+      return "that of its file";
     case TankShape::cylinder:
     case TankShape::sphere:
     case TankShape::revolve:
       break;
   }
   return "the lowest point of its axis or middle plane";
+}
+
+/// As in "1.04 s (across), 0.62 s (1 half wave along z)".
+std::string periods_text(const Parameters& p) {
+  std::string text;
+  for (const NaturalMode& mode : natural_modes(p, 3))
+    text += fmt::format("{}{:.4g} s ({})", text.empty() ? "first natural periods: " : ", ", mode.period, mode.wave);
+  return text;
+}
+
+/// A line of what is told, none where there is nothing.
+std::string line(const char* what, const std::string& told) {
+  return told.empty() ? "" : fmt::format("  {:<8}{}\n", what, told);
 }
 
 }  // namespace
@@ -54,13 +69,15 @@ std::string check_text(const Scene& scene) {
   return fmt::format(
       "{}: a good scene\n"
       "  tank    {}{}, {}: {} m; {:.5g} {}, wall {:.5g} {}; origin: {}\n"
+      "{}"
       "  liquid  to y = {:.6g} m, {:.5g} m deep: {:.5g} {}, {:.3g} % of the tank\n"
+      "{}"
       "  motion  {}\n"
       "  method  {} preset, kernel {}, spacing {:g} m: some {:.0f} fluid particles\n"
       "  run     {:g} s{} at {:g} frames a second\n",
       scene.file, name(p.tank.shape), section, p.tank.closed ? "closed" : "open", ends, measures.volume,
-      body ? "m^3" : "m^2", measures.area, body ? "m^2" : "m", origin_of(p.tank), low[1] + p.fluid.depth, p.fluid.depth,
-      liquid, body ? "m^3" : "m^2", 100 * liquid / measures.volume, motion_text(p.motion), name(p.preset),
+      body ? "m^3" : "m^2", measures.area, body ? "m^2" : "m", origin_of(p.tank), line("mended", mended_of(p)), low[1] + p.fluid.depth, p.fluid.depth,
+      liquid, body ? "m^3" : "m^2", 100 * liquid / measures.volume, line("waves", periods_text(p)), motion_text(p.motion), name(p.preset),
       p.method.kernel, l0, liquid / std::pow(l0, p.dimension()), p.time.end, step, scene.output.frame_rate);
 }
 

@@ -22,6 +22,7 @@ RunInfo run_info(const Scene& scene) {
   info.depth = p.fluid.depth;
   info.density = p.fluid.density;
   info.gravity = p.gravity;
+  info.pull = greatest_pull(p);
   info.spacing = p.particles.spacing;
   info.excursion = motion_extent(p);
   info.frame_interval = 1 / scene.output.frame_rate;

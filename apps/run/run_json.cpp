@@ -42,6 +42,12 @@ Json parameters(const Scene& scene) {
 // As in "surge_m".
 std::string series_key(const DegreeOfFreedomRow& row) { return fmt::format("{}_{}", row.name, row.unit()); }
 
+Json mesh_json(const SurfaceMesh& mesh) {
+  Json patches = Json::array();
+  for (const SurfaceMesh::Patch& patch : mesh.patches) patches.push_back({{"name", patch.name}, {"faces", patch.faces}});
+  return {{"points_m", mesh.points}, {"patches", patches}};
+}
+
 // A gap is null.
 Json samples(const Scene& scene) {
   const Parameters::TimeSeries& series = scene.parameters.motion.series;
@@ -51,6 +57,7 @@ Json samples(const Scene& scene) {
   Json result{{"motion", motion}, {"references", Json::array()}};
   for (const render::Reference& reference : scene.look.references)
     result["references"].push_back({{"time_s", reference.series.time}, {"value", reference.series.value}});
+  if (const SurfaceMesh& mesh = scene.parameters.tank.mesh; !mesh.points.empty()) result["tank"] = mesh_json(mesh);
   return result;
 }
 
@@ -141,6 +148,17 @@ std::vector<double> numbers(const nlohmann::json& json) {
   return values;
 }
 
+SurfaceMesh read_mesh(const nlohmann::json& json) {
+  SurfaceMesh mesh;
+  mesh.points = json.at("points_m");
+  for (const auto& patch : json.at("patches")) {
+    mesh.patches.push_back({patch.at("name"), patch.at("faces")});
+    for (const auto& face : mesh.patches.back().faces)
+      for (const int corner : face) std::ignore = mesh.points.at(static_cast<std::size_t>(corner));
+  }
+  return mesh;
+}
+
 Failure read_failure(const nlohmann::json& json) {
   Failure failure{json.at("time_s"), json.at("step"), json.at("cause"), json.value("detail", ""), {}};
   const auto found = json.find("place");
@@ -209,7 +227,8 @@ void write_run_json(const std::filesystem::path& file, const Scene& scene, const
 }
 
 void write_samples(const std::filesystem::path& file, const Scene& scene) {
-  if (scene.parameters.motion.series.time.empty() && scene.look.references.empty()) return;
+  const Parameters& p = scene.parameters;
+  if (p.motion.series.time.empty() && scene.look.references.empty() && p.tank.mesh.points.empty()) return;
   render::write_file(file, samples(scene).dump() + "\n");
 }
 
@@ -240,6 +259,7 @@ void read_samples(const nlohmann::json& json, Scene& scene) {
     const auto& series = json.at("references").at(row++);
     reference.series = {numbers(series.at("time_s")), numbers(series.at("value"))};
   }
+  if (const auto tank = json.find("tank"); tank != json.end()) scene.parameters.tank.mesh = read_mesh(*tank);
 }
 
 }  // namespace seiche::apps

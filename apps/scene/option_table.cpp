@@ -106,6 +106,18 @@ void set_section(Scene& s, const std::string& text) {
   s.parameters.tank.section = text == "none" ? std::nullopt : std::optional(parse_section(text));
 }
 
+std::string get_unit(const Scene& s) { return s.given.unit ? std::string(name(*s.given.unit)) : "none"; }
+
+void set_unit(Scene& s, std::string_view text) {
+  s.given.unit = text == "none" ? std::nullopt : std::optional(value_named<LengthUnit>(text));
+}
+
+Choices units() {
+  Choices all{"none"};
+  for (const Choice<LengthUnit>& row : ChoiceTable<LengthUnit>::rows) all.push_back(row.name);
+  return all;
+}
+
 template <auto sides>
 Several chamfer() {
   return {[](const Scene& s) {
@@ -130,7 +142,7 @@ const Written curves{get_curves, set_curves, "auto, none, or up to 3 sensors, as
 std::vector<Option> make_options() {
   std::vector<Option> table{
       {"", "preset", "", CHOICE(parameters.preset), "scheme that [method], pressure.solver and courant start from"},
-      {"", "gravity", "m/s^2", AT(parameters.gravity), Range{0, 100, true}, "downwards"},
+      {"", "gravity", "m/s^2", AT(parameters.gravity), Range{0, 100}, "downwards; 0: none"},
 
       {"fluid", "density", "kg/m^3", AT(parameters.fluid.density), Range{0, 1e5, true}, "rho"},
       {"fluid", "viscosity", "m^2/s", AT(parameters.fluid.viscosity), Range{0, 1}, "nu, kinematic"},
@@ -162,7 +174,9 @@ std::vector<Option> make_options() {
       {"tank", "points", "m", AT(parameters.tank.points), Pairs{{-huge, huge}},
        "prism: its corners (x, y); revolve: its profile (height, radius)"},
       {"tank", "file", "", AT(given.file), Text{},
-       "CSV of the points: columns x [m], y [m] or z [m], r [m] (or in cm, mm), its path from the scene's folder"},
+       "mesh: STL, text or binary; prism, revolve: CSV of the points, columns x [m], y [m] or z [m], r [m] (or in cm, "
+       "mm); its path from the scene's folder"},
+      {"tank", "unit", "", Chosen{get_unit, set_unit, {}}, units(), "mesh: what its file's numbers are in"},
       {"tank", "section", "", section, {}, "a 2-D run in that plane of a 3-D tank"},
       {"tank", "closed", "", AT(parameters.tank.closed), {}, "box: with a roof"},
 

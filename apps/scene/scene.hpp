@@ -1,9 +1,11 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "apps/common/output_kinds.hpp"
 #include "render/look.hpp"
 #include "render/movie_format.hpp"
+#include "solver/length_unit.hpp"
 #include "solver/parameters.hpp"
 
 namespace seiche::apps {
@@ -27,7 +29,8 @@ struct Scene {
     double fill = 0;         ///< share of the tank's volume that is liquid
     double fill_height = 0;  ///< still level above the tank's lowest point, over the tank's height
     double volume = 0;       ///< of the liquid [m^2 in 2-D, m^3]
-    std::string file{};      ///< of the tank's points
+    std::string file{};      ///< of the tank's points, or of its mesh: that stays here, and `unit`
+    std::optional<LengthUnit> unit{};  ///< of the mesh's file
   } given{};
   Output output;
   render::Look look;

@@ -82,6 +82,11 @@ std::string scene_hash(const Scene& scene) {
   for (const render::Reference& reference : scene.look.references)
     for (const auto* values : {&reference.series.time, &reference.series.value})
       all += fmt::format("\n{}", fmt::join(*values, ","));
+  for (const auto& point : scene.parameters.tank.mesh.points) all += fmt::format("\n{}", fmt::join(point, ","));
+  for (const SurfaceMesh::Patch& patch : scene.parameters.tank.mesh.patches) {
+    all += "\n" + patch.name;
+    for (const auto& face : patch.faces) all += fmt::format("\n{}", fmt::join(face, ","));
+  }
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
   for (const unsigned char c : all) hash = (hash ^ c) * 0x100000001b3;
   return fmt::format("{:016x}", hash);

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "apps/scene/files/points_file.hpp"
+#include "apps/scene/stl/stl_file.hpp"
 #include "solver/make_simulation.hpp"
 
 namespace seiche::apps {
@@ -24,6 +25,34 @@ bool is_given(const Setting& setting) {
   const Value value = value_of(*setting.option, scene);
   const double* number = std::get_if<double>(&value);
   return number && *number > 0;
+}
+
+void read_points(Scene& scene, const std::string& file) {
+  Parameters::Tank& tank = scene.parameters.tank;
+  if (!tank.points.empty())
+    throw BadParameters("tank.points and tank.file both tell the tank's points; leave one of them");
+  tank.points = read_points_file(file, tank.shape);
+  scene.given.file.clear();
+}
+
+void read_mesh(Scene& scene, const std::string& file) {
+  if (!scene.given.unit)
+    throw BadParameters(fmt::format(
+        "tank.unit is missing: an STL file doesn't tell what its numbers are in; give unit = \"m\", \"cm\", "
+        "\"mm\", \"in\" or \"ft\" with tank.file = \"{}\"",
+        scene.given.file));
+  scene.parameters.tank.mesh = read_stl_file(file, *scene.given.unit).mesh;
+}
+
+void read_file(Scene& scene, const std::filesystem::path& folder) {
+  const TankShape shape = scene.parameters.tank.shape;
+  const std::string file = (folder / scene.given.file).string();
+  if (scene.given.unit && shape != TankShape::mesh)
+    throw BadParameters(fmt::format("tank.unit means nothing to a tank.shape = \"{}\"; leave it out", name(shape)));
+  if (scene.given.file.empty()) return;
+  if (shape == TankShape::mesh) return read_mesh(scene, file);
+  if (shape == TankShape::prism || shape == TankShape::revolve) return read_points(scene, file);
+  throw BadParameters(fmt::format("tank.file means nothing to a tank.shape = \"{}\"; leave it out", name(shape)));
 }
 
 }  // namespace
@@ -61,15 +90,7 @@ void put_one_level(const std::vector<Setting>& settings, Scene& scene, std::vect
 void settle_tank(Scene& scene, const std::filesystem::path& folder) {
   Parameters& p = scene.parameters;
   auto& given = scene.given;
-  if (!given.file.empty()) {
-    if (p.tank.shape != TankShape::prism && p.tank.shape != TankShape::revolve)
-      throw BadParameters(
-          fmt::format("tank.file means nothing to a tank.shape = \"{}\"; leave it out", name(p.tank.shape)));
-    if (!p.tank.points.empty())
-      throw BadParameters("tank.points and tank.file both tell the tank's points; leave one of them");
-    p.tank.points = read_points_file((folder / given.file).string(), p.tank.shape);
-    given.file.clear();
-  }
+  read_file(scene, folder);
   if (p.fluid.depth + given.fill + given.fill_height + given.volume == 0)
     throw BadParameters("[fluid] doesn't tell how full the tank is; give depth, fill, fill_height or volume");
   check_tank(p);

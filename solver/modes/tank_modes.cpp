@@ -52,6 +52,8 @@ bool is_flat_ended(const Contour& half) {
 
 }  // namespace
 
+std::vector<TankMode> tank_modes(const MeshTank&, double, double, int) { return {}; }
+
 Polygons polygons_of(const Contour& contour, double share) {
   Polygons polygons;
   for (const auto& corners : contour.polygons(share * contour.bounds().size().maxCoeff())) {
@@ -88,6 +90,18 @@ std::vector<TankMode> tank_modes(const Revolved& tank, double level, double grav
     if (!first.add(section_modes(half, height, gravity, count, {true, m, 0}), wave) && m > 0) break;
   }
   return first.all();
+}
+
+std::vector<TankMode> tank_modes(const Parameters& p, int count) {
+  if (p.dimension() == 2) {
+    const Section section = tank_section(p);
+    return tank_modes(section, section.bounds().low[1] + p.fluid.depth, p.gravity, count);
+  }
+  return std::visit(
+      [&](const auto& tank) {
+        return tank_modes(tank, tank.bounds().low[1] + p.fluid.depth, p.gravity, count);
+      },
+      tank_body(p));
 }
 
 }  // namespace seiche::solver::modes

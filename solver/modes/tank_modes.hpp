@@ -2,8 +2,7 @@
 #include <string>
 
 #include "solver/modes/section_modes.hpp"
-#include "solver/tank/shapes/extruded.hpp"
-#include "solver/tank/shapes/revolved.hpp"
+#include "solver/tank/body.hpp"
 
 namespace seiche::solver::modes {
 
@@ -28,6 +27,12 @@ std::vector<TankMode> tank_modes(const Extruded& tank, double level, double grav
 /// Upright: phi = cos(m theta) times a function of the profile. Lying between flat ends: as an extruded circle. Empty
 /// for other lying tanks, whose modes no section gives.
 std::vector<TankMode> tank_modes(const Revolved& tank, double level, double gravity, int count);
+
+/// Empty: no section gives the modes of a mesh.
+std::vector<TankMode> tank_modes(const MeshTank& tank, double level, double gravity, int count);
+
+/// Of a run's tank, its liquid still.
+std::vector<TankMode> tank_modes(const Parameters& p, int count);
 
 /// A contour's loops as polygons within a share of its size.
 Polygons polygons_of(const Contour& contour, double share = 1e-5);

@@ -32,29 +32,32 @@ Jet Course::at(double t) const {
           step.value * sum.acceleration + 2 * step.rate * sum.rate + step.acceleration * sum.value};
 }
 
-template <class Of>
-double Course::greatest_of_spline(Of of) const {
-  if (!spline_) return 0;
-  const int points = 10 * static_cast<int>(spline_->size() - 1);
-  double greatest = 0;
-  for (int k = 0; k <= points; ++k) {
-    const double t = spline_->first() + (spline_->last() - spline_->first()) * k / points;
-    greatest = std::max(greatest, std::abs(of(spline_->at(t))));
+double Course::greatest_of(double Jet::*of, int derivative) const {
+  double sum = 0;
+  if (spline_) {
+    const int points = 10 * static_cast<int>(spline_->size() - 1);
+    for (int k = 0; k <= points; ++k) {
+      const double t = spline_->first() + (spline_->last() - spline_->first()) * k / points;
+      sum = std::max(sum, std::abs(spline_->at(t).*of));
+    }
   }
-  return greatest;
-}
-
-double Course::greatest() const {
-  double sum = greatest_of_spline([](const Jet& jet) { return jet.value; });
-  for (const Term& term : terms_) sum += std::abs(term.amplitude);
+  for (const Term& term : terms_) sum += std::abs(term.amplitude) * std::pow(term.omega, derivative);
   return sum;
 }
 
+double Course::greatest() const { return greatest_of(&Jet::value, 0); }
+
 double Course::fastest() const {
-  double sum = greatest_of_spline([](const Jet& jet) { return jet.rate; });
-  for (const Term& term : terms_) sum += std::abs(term.amplitude * term.omega);
+  const double sum = greatest_of(&Jet::rate, 1);
   // The rate of the ramp itself is 15/8 over its time at most.
   return ramp_ > 0 ? sum + 1.875 / ramp_ * greatest() : sum;
+}
+
+double Course::greatest_acceleration() const {
+  const double sum = greatest_of(&Jet::acceleration, 2);
+  if (ramp_ <= 0) return sum;
+  // The ramp's second derivative is 10/sqrt(3) over the square of its time at most.
+  return sum + 2 * 1.875 / ramp_ * greatest_of(&Jet::rate, 1) + 10 / std::sqrt(3) / (ramp_ * ramp_) * greatest();
 }
 
 }  // namespace seiche::solver

@@ -20,17 +20,18 @@ class Course {
   bool moves() const { return spline_ || !terms_.empty(); }
   Jet at(double t) const;
 
-  /// No |value|, and no |rate|, is greater: of harmonics the sum of all amplitudes, of a spline the greatest of ten
-  /// points an interval.
+  /// No |value|, no |rate| and no |acceleration| is greater: of harmonics the sum of all amplitudes, of a spline the
+  /// greatest of ten points an interval.
   double greatest() const;
   double fastest() const;
+  double greatest_acceleration() const;
 
  private:
   struct Term {
     double amplitude, omega, phase;
   };
-  template <class Of>
-  double greatest_of_spline(Of of) const;
+  /// Without the ramp: of a derivative of the motion, `of` that of the spline.
+  double greatest_of(double Jet::*of, int derivative) const;
 
   double ramp_;
   std::vector<Term> terms_;

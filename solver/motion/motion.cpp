@@ -95,6 +95,22 @@ double Motion::fastest(double reach) const {
   return velocity.norm() + reach * rate;
 }
 
+/// Of rotations one after another |alpha| is at most the sum of |q_i''| + the sum over pairs of |q_i' q_j'|.
+double Motion::greatest_acceleration(double reach) const {
+  Vector3d translation = Vector3d::Zero();
+  double rate = 0, alpha = 0;
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom) {
+    const Course& moved = course(row.value);
+    if (!row.rotation) {
+      translation[row.axis] = moved.greatest_acceleration();
+      continue;
+    }
+    alpha += moved.greatest_acceleration() + rate * moved.fastest();
+    rate += moved.fastest();
+  }
+  return translation.norm() + reach * (alpha + rate * rate);
+}
+
 Double3 Motion::extent(const Double3& low, const Double3& high) const {
   Vector3d translation = Vector3d::Zero(), rotation = Vector3d::Zero(), farthest;
   for (const DegreeOfFreedomRow& row : degrees_of_freedom)

@@ -30,6 +30,8 @@ class Motion {
 
   /// No point of the tank within `reach` [m] of the pivot is ever faster [m/s].
   double fastest(double reach = 0) const;
+  /// The same of accelerations, the centripetal one included [m/s^2].
+  double greatest_acceleration(double reach = 0) const;
 
   /// No point of the box [low, high] is ever farther from where it is without motion, on each axis [m].
   Double3 extent(const Double3& low, const Double3& high) const;

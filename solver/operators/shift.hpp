@@ -1,6 +1,4 @@
 #pragma once
-#include <cmath>
-
 #include "solver/operators/interactions.hpp"
 
 namespace seiche::solver {
@@ -25,8 +23,9 @@ void particle_shift(const Pairs<D>& pairs, double n0, double share, double l0, c
 /// Particle shifting at the rate that the scene names.
 class ParticleShift {
  public:
-  explicit ParticleShift(const Parameters& p)
-      : strength_(p.method.shift), wave_speed_(std::sqrt(p.gravity * p.fluid.depth)), l0_(p.particles.spacing) {}
+  /// @param wave_speed sqrt(g H) [m/s]
+  ParticleShift(const Parameters& p, double wave_speed)
+      : strength_(p.method.shift), wave_speed_(wave_speed), l0_(p.particles.spacing) {}
 
   /// Displacements in a step of length dt [m].
   template <int D>

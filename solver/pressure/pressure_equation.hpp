@@ -12,8 +12,9 @@ namespace seiche::solver {
 template <int D>
 class PressureEquation {
  public:
-  explicit PressureEquation(const Parameters& p)
-      : source_(make_source(p)),
+  /// @param wave_speed sqrt(g H) [m/s]
+  PressureEquation(const Parameters& p, double wave_speed)
+      : source_(make_source(p, wave_speed)),
         solver_(make_pressure_solver(p.pressure.solver, p.pressure.tolerance, p.pressure.max_iterations)),
         volume_kernel_(p.particles.spacing),
         whole_volume_(1 + lattice_reference<D>(volume_kernel_, p.particles.spacing).n0) {}

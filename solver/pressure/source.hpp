@@ -1,5 +1,4 @@
 #pragma once
-#include <cmath>
 #include <variant>
 
 #include "solver/parameters.hpp"
@@ -26,8 +25,9 @@ struct MixedSource {
   double density;  ///< rho [kg/m^3]
   double rate;     ///< [1/s]
 
-  explicit MixedSource(const Parameters& p)
-      : density(p.fluid.density), rate(0.1 * std::sqrt(p.gravity * p.fluid.depth) / p.particles.spacing) {}
+  /// @param wave_speed sqrt(g H) [m/s]
+  MixedSource(const Parameters& p, double wave_speed)
+      : density(p.fluid.density), rate(0.1 * wave_speed / p.particles.spacing) {}
 
   /// @param divergence of u* [1/s]
   double operator()(double divergence, double excess, bool near_surface, double dt) const {
@@ -38,9 +38,9 @@ struct MixedSource {
 
 using Source = std::variant<DensitySource, MixedSource>;
 
-inline Source make_source(const Parameters& p) {
+inline Source make_source(const Parameters& p, double wave_speed) {
   if (p.method.source == SourceTerm::density) return DensitySource(p);
-  return MixedSource(p);
+  return MixedSource(p, wave_speed);
 }
 
 }  // namespace seiche::solver

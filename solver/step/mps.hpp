@@ -54,6 +54,7 @@ class Mps final : public Simulation {
   Parameters p_;
   Motion motion_;
   std::shared_ptr<const Shape<D>> tank_;
+  double wave_speed_;  ///< sqrt(g H), g the greatest pull [m/s]
 
   RunState<D> run_;  ///< all that a step reads of the one before
   State<D>& s_ = run_.particles;

@@ -16,23 +16,26 @@ Mps<D>::Mps(const Parameters& p, double sample_interval)
     : p_(p),
       motion_(p.motion),
       tank_(make_shape<D>(p)),
+      wave_speed_(wave_speed(p, tank_->bounds(), motion_)),
       run_{.particles = fill_tank<D>(p, *tank_)},
       near_(p, tank_->bounds().low.array() - wall_layers(p.method) * p.particles.spacing,
             tank_->bounds().high.array() + wall_layers(p.method) * p.particles.spacing, longest_support(p.method)),
       walls_(make_walls<D>(p, near_.density.w)),
       surface_(p.method),
       viscosity_(p),
-      equation_(p),
+      equation_(p, wave_speed_),
       gradient_(p.method.gradient),
-      shift_(p),
+      shift_(p, wave_speed_),
       separation_(p),
       sensors_({p_, *tank_, s_}, sample_interval),
       watch_(p, *tank_, motion_) {
   count_kinds();
   find_neighbours();
   find_surface();
-  if (const StandingWave wave(p, tank_->bounds().size()[0]); p.fluid.wave_amplitude != 0)
+  if (p.fluid.wave_amplitude != 0) {
+    const StandingWave wave(p, tank_->bounds().size()[0]);
     each_fluid(s_, [&](int i) { s_.velocity[i] = wave.velocity<D>(s_.position[i]); });
+  }
   if (motion_.jumps()) start_at_rest_in_lab();
   run_.fastest = watch_.check_motion(s_);
   sensors_.read(s_, run_.sensors);
@@ -51,7 +54,7 @@ void Mps<D>::count_kinds() {
 /// forgotten.
 template <int D>
 void Mps<D>::start_at_rest_in_lab() {
-  const double dt = step_cap(p_);
+  const double dt = step_cap(p_, wave_speed_);
   forces_.set_body(start_force<D>(motion_, dt), p_.fluid.density, s_);
   if (!walls_->slope(forces_)) return each_fluid(s_, [&](int i) { s_.velocity[i] += dt * forces_.body[i]; });
   forces_.viscous.assign(s_.size(), Vec<D>::Zero());
@@ -64,7 +67,7 @@ void Mps<D>::start_at_rest_in_lab() {
 
 template <int D>
 void Mps<D>::step(double until) {
-  const double rule = step_rule(p_, run_.fastest);
+  const double rule = step_rule(p_, wave_speed_, run_.fastest);
   watch_.check_step(s_, rule, run_.short_steps);
   const double dt = split_evenly(until - s_.time, rule);
   const double end = s_.time + 1.5 * dt > until ? until : s_.time + dt;

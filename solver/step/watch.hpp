@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "solver/errors.hpp"
-#include "solver/motion/motion.hpp"
+#include "solver/motion/wave_speed.hpp"
 #include "solver/particles/state.hpp"
 #include "solver/pressure/linear_solver.hpp"
 #include "solver/statistics.hpp"
 #include "solver/step/time_step.hpp"
-#include "solver/tank/shape.hpp"
 
 namespace seiche::solver {
 
@@ -20,12 +19,12 @@ class Watch {
  public:
   Watch(const Parameters& p, const Shape<D>& shape, const Motion& motion)
       : pressure_(p.pressure),
-        speed_limit_(10 * (std::sqrt(2 * p.gravity * shape.bounds().size().norm()) +
-                           motion.fastest(reach(shape.bounds(), p.motion)))),
-        cap_(step_cap(p)) {}
+        speed_limit_(10 * (std::sqrt(2 * greatest_pull(p, shape.bounds(), motion) * shape.bounds().size().norm()) +
+                           motion.fastest(reach_of(shape.bounds(), p.motion)))),
+        cap_(step_cap(p, wave_speed(p, shape.bounds(), motion))) {}
 
-  /// Greatest speed of the fluid [m/s]. Throws when one isn't finite, or beyond 10 (sqrt(2 g D) + tank speed), D the
-  /// diagonal of the tank's bounds: ten times what a free fall through the whole tank gives.
+  /// Greatest speed of the fluid [m/s]. Throws when one isn't finite, or beyond 10 (sqrt(2 a D) + tank speed), a the
+  /// greatest pull, D the diagonal of the tank's bounds: ten times what a free fall through the whole tank gives.
   double check_motion(const State<D>& s) const {
     double fastest = 0;
     int finite = 1;
@@ -78,7 +77,7 @@ class Watch {
 
   /// Throws when the step rule has stayed under 1e-3 of its cap for 100 steps; `short_steps` counts them.
   void check_step(const State<D>& s, double rule, int& short_steps) const {
-    short_steps = rule < 1e-3 * cap_ ? short_steps + 1 : 0;
+    short_steps = std::isfinite(cap_) && rule < 1e-3 * cap_ ? short_steps + 1 : 0;
     if (short_steps >= 100)
       throw RunFailure(
           {s.time, s.step,
@@ -87,13 +86,6 @@ class Watch {
   }
 
  private:
-  /// From the pivot to the farthest corner of the bounds [m].
-  static double reach(const Bounds<D>& bounds, const Parameters::Motion& motion) {
-    Vec<D> pivot = Vec<D>::Zero();
-    pivot.template head<2>() << motion.pivot_x, motion.pivot_y;
-    return (pivot - bounds.low).cwiseAbs().cwiseMax((bounds.high - pivot).cwiseAbs()).norm();
-  }
-
   template <class F>
   static int first(const State<D>& s, F bad) {
     int found = -1;

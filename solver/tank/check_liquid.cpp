@@ -48,6 +48,7 @@ void check_wave(const Parameters& p, double length) {
   if (p.fluid.wave_amplitude == 0) return;
   if (p.tank.shape != TankShape::box)
     throw BadParameters(fmt::format("fluid.wave_amplitude needs a box, not a tank.shape = \"{}\"", name(p.tank.shape)));
+  if (p.gravity == 0) throw BadParameters("fluid.wave_amplitude needs gravity; leave it out, or give gravity = 9.81");
   if (p.fluid.column > 0)
     throw BadParameters("fluid.wave_amplitude needs liquid in the whole tank: leave fluid.column out");
   const double half_wave = length / (p.fluid.wave_mode * p.particles.spacing);

@@ -40,6 +40,7 @@ const std::vector<Measure>& measures() {
        {membrane}},
       {"radius", [](const Tank& t) { return t.radius > 0; }, {cylinder, sphere}, {}},
       {"points", [](const Tank& t) { return !t.points.empty(); }, {prism, revolve}, {}},
+      {"file", [](const Tank& t) { return !t.mesh.points.empty(); }, {mesh}, {}},
   };
   return all;
 }
@@ -48,6 +49,7 @@ bool has(const std::vector<TankShape>& shapes, TankShape shape) {
   return std::find(shapes.begin(), shapes.end(), shape) != shapes.end();
 }
 
+/// Those that it needs or may have, as a scene calls them.
 std::string keys_of(TankShape shape) {
   std::string keys;
   for (const Measure& measure : measures())

@@ -43,6 +43,20 @@ bool has_pairs_only(const Triangles& mesh) {
 
 }  // namespace
 
+std::string text_of(const MeshFaults& faults) {
+  std::string text;
+  const auto add = [&](int count, const char* what, const char* done) {
+    if (count > 0)
+      text += fmt::format("{}{} {}{} {}", text.empty() ? "" : "; ", count, what, count > 1 ? "s" : "", done);
+  };
+  add(faults.left_out.degenerate + faults.slivers, "triangle", "without an area taken out or joined to others");
+  add(faults.left_out.doubles, "triangle", "left out, there twice");
+  add(faults.turned, "triangle", "turned round");
+  add(faults.holes.count, "hole", "closed");
+  if (faults.holes.count > 0) text += fmt::format(", the widest {:.3g} m across", faults.holes.widest);
+  return text;
+}
+
 Mended mended(const SurfaceMesh& surface, double widest) {
   Mended result;
   Triangles& mesh = result.mesh;

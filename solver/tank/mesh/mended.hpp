@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "solver/tank/mesh/holes.hpp"
 #include "solver/tank/mesh/triangles.hpp"
 
@@ -11,6 +13,9 @@ struct MeshFaults {
   int turned = 0;   ///< triangles that faced the other way
   Holes holes;      ///< that were closed
 };
+
+/// As in "12 triangles turned round; 2 holes closed, the widest 1.2 mm across"; empty where nothing was wrong.
+std::string text_of(const MeshFaults& faults);
 
 /// The surface of a tank: closed, and facing outwards (away from the liquid).
 struct Mended {
