@@ -38,12 +38,15 @@ const char* origin_of(const Parameters::Tank& tank) {
   return "the lowest point of its axis or middle plane";
 }
 
-/// As in "1.04 s (across), 0.62 s (1 half wave along z)".
+/// As in "first natural periods: 1.04, 0.62 s", in 3-D "1.04 s (across), 0.62 s (1 half wave along z)".
 std::string periods_text(const Parameters& p) {
+  const bool body = p.dimension() == 3;
   std::string text;
-  for (const NaturalMode& mode : natural_modes(p, 3))
-    text += fmt::format("{}{:.4g} s ({})", text.empty() ? "first natural periods: " : ", ", mode.period, mode.wave);
-  return text;
+  for (const NaturalMode& mode : natural_modes(p, 3)) {
+    text += fmt::format("{}{:.4g}", text.empty() ? "first natural periods: " : ", ", mode.period);
+    if (body) text += fmt::format(" s ({})", mode.wave);
+  }
+  return text.empty() || body ? text : text + " s";
 }
 
 /// A line of what is told, none where there is nothing.

@@ -118,6 +118,12 @@ Choices units() {
   return all;
 }
 
+Chosen unit() {
+  std::vector<std::string_view> meanings{"there is no mesh"};
+  for (const Choice<LengthUnit>& row : ChoiceTable<LengthUnit>::rows) meanings.push_back(row.help);
+  return {get_unit, set_unit, meanings};
+}
+
 template <auto sides>
 Several chamfer() {
   return {[](const Scene& s) {
@@ -176,7 +182,7 @@ std::vector<Option> make_options() {
       {"tank", "file", "", AT(given.file), Text{},
        "mesh: STL, text or binary; prism, revolve: CSV of the points, columns x [m], y [m] or z [m], r [m] (or in cm, "
        "mm); its path from the scene's folder"},
-      {"tank", "unit", "", Chosen{get_unit, set_unit, {}}, units(), "mesh: what its file's numbers are in"},
+      {"tank", "unit", "", unit(), units(), "mesh: what its file's numbers are in"},
       {"tank", "section", "", section, {}, "a 2-D run in that plane of a 3-D tank"},
       {"tank", "closed", "", AT(parameters.tank.closed), {}, "box: with a roof"},
 

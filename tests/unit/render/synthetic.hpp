@@ -33,7 +33,7 @@ inline RunInfo run_info(const Box& box) {
   run.closed = box.closed;
   run.depth = box.depth;
   run.density = 1000;
-  run.gravity = 9.81;
+  run.gravity = run.pull = 9.81;
   run.spacing = box.spacing;
   run.excursion = {0.02, 0, 0};
   run.frame_interval = 0.02;

@@ -54,6 +54,45 @@ TEST_P(SimulationIn, StepsLandExactlyOnUntil) {
   }
 }
 
+/// A tank that heaves upwards at 9.81 m/s^2 in free space is one at rest under gravity.
+TEST_P(SimulationIn, WithoutGravityTheTanksAccelerationPullsAsGravityDoes) {
+  Parameters still = surging(GetParam());
+  still.motion = {};
+  still.time.end = 1;
+  Parameters thrust = still;
+  thrust.gravity = 0;
+  thrust.motion = {.type = MotionType::file, .file = "thrust", .start = Start::smooth};
+  for (int k = 0; k <= 10; ++k) {
+    const double t = 0.1 * k;
+    thrust.motion.series.time.push_back(t);
+    thrust.motion.series[DegreeOfFreedom::heave].push_back(0.5 * 9.81 * t * t);
+  }
+  const auto a = make_simulation(still, 0), b = make_simulation(thrust, 0);
+  while (a->time() < 0.1) a->step(0.1);
+  while (b->time() < 0.1) b->step(0.1);
+  EXPECT_EQ(a->statistics().steps, b->statistics().steps);
+  const FramePtr fallen = a->frame(1), pushed = b->frame(1);
+  for (std::size_t k = 0; k < fallen->size(); ++k)
+    EXPECT_NEAR(pushed->pressure[k], fallen->pressure[k], 0.01 * 1000 * 9.81 * 0.05);
+}
+
+TEST_P(SimulationIn, WithoutAnyPullNothingMoves) {
+  for (const Preset preset : {Preset::paper, Preset::stabilised}) {
+    Parameters p = surging(GetParam());
+    apply_preset(p, preset);
+    p.gravity = 0;
+    p.motion = {};
+    const auto simulation = make_simulation(p, 0.001);
+    const FramePtr start = simulation->frame(0);
+    for (const double until : {0.1, 0.2}) simulation->step(until);
+    const FramePtr end = simulation->frame(1);
+    EXPECT_EQ(end->time, 0.2);
+    for (std::size_t k = 0; k < start->size(); ++k)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR(end->position[k][axis], start->position[k][axis], 1e-9) << name(preset);
+  }
+}
+
 TEST_P(SimulationIn, KnowsTheLeastDistanceOfTwoParticles) {
   Parameters p = surging(GetParam());
   p.motion.harmonic.amplitude = 0.05;

@@ -14,6 +14,7 @@
 #include "tests/unit/apps/errors_of.hpp"
 #include "tests/unit/apps/files.hpp"
 #include "tests/unit/apps/refusal.hpp"
+#include "tests/unit/apps/scene/stl/stl_bytes.hpp"
 #include "tests/unit/headers.hpp"
 
 namespace seiche::apps {
@@ -73,6 +74,23 @@ TEST_F(StoredRunTest, HasTheSceneThatWasRun) {
   EXPECT_EQ(run.scene.look.width, 640);
   ASSERT_EQ(run.scene.look.references.size(), 1u);
   EXPECT_TRUE(std::isnan(run.scene.look.references[0].series.value[1])) << "a gap";
+}
+
+TEST_F(StoredRunTest, HasTheMeshOfItsTank) {
+  write_text(scratch / "box.stl", test::stl_box(60, 40, 20));
+  write_text(scratch / "b.toml",
+             "[tank]\nshape = \"mesh\"\nfile = \"box.stl\"\nunit = \"cm\"\n[fluid]\nfill = 0.5\n"
+             "[particles]\nspacing = 0.02\n");
+  scene = read_scene((scratch / "b.toml").string(), {});
+  const StoredRun run = stored();
+  EXPECT_EQ(scene_hash(run.scene), scene_hash(scene));
+  EXPECT_EQ(run.scene.parameters.tank.mesh.points, scene.parameters.tank.mesh.points);
+  // A corner that isn't there is damage.
+  const std::filesystem::path samples = OutputFolder{scratch / "out", scene.name}.samples();
+  std::string text = seiche::test::read_file(samples);
+  const auto faces = text.find("[[", text.find("\"faces\""));
+  write_text(samples, text.replace(faces, 2, "[[99,"));
+  EXPECT_THROW(read_run(scratch / "out"), std::exception);
 }
 
 TEST_F(StoredRunTest, KnowsHowTheRunEnded) {

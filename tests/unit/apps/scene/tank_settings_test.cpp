@@ -5,8 +5,10 @@
 #include <numbers>
 
 #include "apps/scene/scene_file.hpp"
+#include "apps/scene/scene_text.hpp"
 #include "tests/facts.hpp"
 #include "tests/unit/apps/files.hpp"
+#include "tests/unit/apps/scene/stl/stl_bytes.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -55,6 +57,37 @@ TEST(TankSettings, PointsComeFromTheirFile) {
   EXPECT_TRUE(test::tells(error_of("[tank]\nshape = \"prism\"\npoints = [[0, 0], [1, 0], [0, 1]]\nfile = \"a.csv\"\n"
                                    "[fluid]\nfill = 0.5\n"),
                           {"x.toml", "tank.points", "tank.file", "leave one"}));
+}
+
+TEST(TankSettings, AMeshComesFromItsFileInItsUnit) {
+  const seiche::test::Scratch scratch;
+  seiche::test::write_text(scratch / "box.stl", test::stl_box(600, 400, 200));
+  const std::string mesh = "[tank]\nshape = \"mesh\"\nfile = \"box.stl\"\n",
+                    rest = "[fluid]\nfill = 0.5\n[particles]\nspacing = 0.02\n";
+  const auto scene_of = [&](const std::string& text) { return parse_scene(text, (scratch / "x.toml").string(), {}); };
+  const Scene scene = scene_of(mesh + "unit = \"mm\"\n" + rest);
+  EXPECT_EQ(scene.parameters.dimension(), 3);
+  EXPECT_NEAR(scene.parameters.fluid.depth, 0.2, 1e-7);
+  EXPECT_EQ(scene.given.file, "box.stl") << "scene text says where the mesh is from";
+  EXPECT_NE(scene_hash(scene), scene_hash(scene_of(mesh + "unit = \"cm\"\n" + rest)));
+  try {
+    scene_of(mesh + rest);
+    FAIL() << "an STL file has no unit of its own";
+  } catch (const BadScene& error) {
+    EXPECT_TRUE(test::tells(error.what(), {"x.toml", "tank.unit", "missing", "\"mm\"", "box.stl"}));
+  }
+  EXPECT_TRUE(test::tells(error_of("[tank]\nshape = \"mesh\"\n" + rest), {"x.toml", "tank.file", "missing"}));
+  EXPECT_TRUE(test::tells(error_of(ball + "[fluid]\nfill = 0.5\n[tank]\nunit = \"mm\"\n"), {"x.toml"}));
+}
+
+TEST(TankSettings, AMeshThatChangedIsAnotherScene) {
+  const seiche::test::Scratch scratch;
+  const std::string text = "[tank]\nshape = \"mesh\"\nfile = \"box.stl\"\nunit = \"m\"\n[fluid]\nfill = 0.5\n";
+  const auto hash_of = [&](float height) {
+    seiche::test::write_text(scratch / "box.stl", test::stl_box(0.6F, height, 0.2F));
+    return scene_hash(parse_scene(text, (scratch / "x.toml").string(), {}));
+  };
+  EXPECT_NE(hash_of(0.4F), hash_of(0.41F));
 }
 
 }  // namespace

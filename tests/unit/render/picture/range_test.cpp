@@ -42,7 +42,7 @@ TEST(Range, OfTheSceneEndsAtARoundTick) {
 TEST(Range, OfTheSceneSuitsTheQuantity) {
   RunInfo run;
   run.density = 1000;
-  run.gravity = 9.81;
+  run.gravity = run.pull = 9.81;
   run.depth = 0.2;  // sqrt(g H) = 1.4 m/s
   EXPECT_DOUBLE_EQ(scene_range(run, Quantity::speed).low, 0);
   EXPECT_NEAR(scene_range(run, Quantity::speed).high, 0.8, 1e-9);

@@ -49,23 +49,38 @@ TEST(Course, OfARampIsAtRestAtFirstAndItselfAfterwards) {
   EXPECT_LT(growing.at(0.3).value, grown.at(0.3).value);
 }
 
-TEST(Course, IsNeverGreaterNorFasterThanItSays) {
+TEST(Course, IsNeverGreaterNorFasterNorHarderAcceleratedThanItSays) {
   Course course(0.2);
   course.add(0.3, 0.8, 0.4);
   course.add(-0.1, 2.3, 0);
   std::vector<double> t, y;
   for (int k = 0; k <= 40; ++k) t.push_back(0.1 * k), y.push_back(0.2 * std::sin(2 * t.back()));
   course.follow(Spline(t, y));
-  double greatest = 0, fastest = 0;
+  double greatest = 0, fastest = 0, acceleration = 0;
   for (double at = 0; at < 4; at += 0.001) {
     greatest = std::max(greatest, std::abs(course.at(at).value));
     fastest = std::max(fastest, std::abs(course.at(at).rate));
+    acceleration = std::max(acceleration, std::abs(course.at(at).acceleration));
   }
   EXPECT_LE(greatest, course.greatest());
   EXPECT_LE(fastest, course.fastest());
+  EXPECT_LE(acceleration, course.greatest_acceleration());
   EXPECT_NEAR(course.greatest(), 0.6, 1e-4);
   EXPECT_TRUE(course.moves());
   EXPECT_FALSE(Course(1).moves());
+}
+
+TEST(Course, ItsGreatestAccelerationIsReached) {
+  Course course(0);
+  course.add(0.3, 0.8, 0.4);
+  EXPECT_NEAR(course.greatest_acceleration(), 0.3 * std::pow(1.6 * std::numbers::pi, 2), 1e-12);
+  // Of a slow term under a short ramp it is the ramp's, 10/sqrt(3)/T^2 of the amplitude.
+  Course ramped(0.1);
+  ramped.add(0.3, 1e-6, std::numbers::pi / 2);
+  double greatest = 0;
+  for (double at = 0; at < 0.1; at += 1e-5) greatest = std::max(greatest, std::abs(ramped.at(at).acceleration));
+  EXPECT_LE(greatest, ramped.greatest_acceleration());
+  EXPECT_NEAR(ramped.greatest_acceleration() / greatest, 1, 1e-3);
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ TEST(Surge, StartsFromTheMiddleAtFullSpeed) {
   EXPECT_EQ(surge.at(DegreeOfFreedom::surge, 0).value, 0);
   EXPECT_DOUBLE_EQ(surge.at(DegreeOfFreedom::surge, 0).rate, amplitude * omega);
   EXPECT_DOUBLE_EQ(surge.fastest(), amplitude * omega);
+  EXPECT_DOUBLE_EQ(surge.greatest_acceleration(), amplitude * omega * omega);
   EXPECT_NEAR(surge.at(DegreeOfFreedom::surge, 0.25 / frequency).value, amplitude, 1e-17);
   EXPECT_NEAR(surge.at(DegreeOfFreedom::surge, 0.25 / frequency).rate, 0, 1e-16);
   EXPECT_NEAR(surge.at(DegreeOfFreedom::surge, 0.25 / frequency).acceleration, -omega * omega * amplitude, 1e-12);
@@ -139,6 +140,8 @@ TEST(State, OfATumblingBoxIsWithinItsExtentAndFastest) {
   for (double t = 0; t < 20; t += 0.013) {
     const RigidState tank = m.state(t);
     EXPECT_LE(tank.velocity.norm() + tank.omega.norm() * reach, m.fastest(reach));
+    EXPECT_LE(tank.acceleration.norm() + (tank.alpha.norm() + tank.omega.squaredNorm()) * reach,
+              m.greatest_acceleration(reach));
     for (int corner = 0; corner < 8; ++corner) {
       const Eigen::Vector3d r(corner & 1 ? 0.6 : 0, corner & 2 ? 0.4 : 0, corner & 4 ? 0.2 : 0);
       const Eigen::Vector3d moved = tank.in_lab(r) - r;

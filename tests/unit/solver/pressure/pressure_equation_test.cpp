@@ -30,7 +30,7 @@ struct TankAtRest {
         s(fill_tank<D>(p)),
         near(p, Vec<D>::Constant(-0.05), Vec<D>::Constant(0.3), longest_support(p.method)),
         walls(make_walls<D>(p, near.density.w)),
-        equation(p) {
+        equation(p, std::sqrt(p.gravity * p.fluid.depth)) {
     near.list.build(s);
     walls->relist(near.list, s);
     near.measure(s);

@@ -13,14 +13,12 @@ TEST(Source, OfTheDensityIsEquation10) {
   EXPECT_DOUBLE_EQ(source(-0.05, 0.01), -800 * 0.05 / 1e-4);
 }
 
-// The rate of the density term is 0.1 sqrt(g H)/l0: with g H = 4 m^2/s^2 and l0 = 0.01 m it is 20 per second.
+// The rate of the density term is 0.1 sqrt(g H)/l0: with sqrt(g H) = 2 m/s and l0 = 0.01 m it is 20 per second.
 MixedSource mixed() {
   Parameters p;
   p.fluid.density = 800;
-  p.gravity = 8;
-  p.fluid.depth = 0.5;
   p.particles.spacing = 0.01;
-  return MixedSource(p);
+  return MixedSource(p, 2);
 }
 
 TEST(Source, MixedAddsAShareOfTheDensityToTheDivergence) {
@@ -41,9 +39,9 @@ TEST(Source, MixedDropsALackOfNeighboursNearTheSurface) {
 TEST(Source, IsTheOneThatTheSceneNames) {
   Parameters p;
   p.method.source = SourceTerm::density;
-  EXPECT_TRUE(std::holds_alternative<DensitySource>(make_source(p)));
+  EXPECT_TRUE(std::holds_alternative<DensitySource>(make_source(p, 2)));
   p.method.source = SourceTerm::mixed;
-  EXPECT_TRUE(std::holds_alternative<MixedSource>(make_source(p)));
+  EXPECT_TRUE(std::holds_alternative<MixedSource>(make_source(p, 2)));
 }
 
 }  // namespace

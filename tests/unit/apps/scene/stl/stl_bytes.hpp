@@ -3,9 +3,10 @@
 #include <bit>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace seiche::apps::test {
+namespace seiche::test {
 
 using Triangle = std::array<std::array<float, 3>, 3>;
 
@@ -34,7 +35,26 @@ inline std::vector<Triangle> tetrahedron() {
   return {{o, y, x}, {o, x, z}, {o, z, y}, {x, y, z}};
 }
 
-/// The same in two solids of a text file.
+/// A box from the origin, as binary STL.
+inline std::string stl_box(float x, float y, float z) {
+  std::vector<Triangle> triangles;
+  const std::array<float, 3> size{x, y, z};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const bool far : {false, true}) {
+      std::array<std::array<float, 3>, 4> corners{};
+      for (std::size_t k = 0; k < 4; ++k) {
+        corners[k][axis] = far ? size[axis] : 0;
+        corners[k][(axis + 1) % 3] = k == 1 || k == 2 ? size[(axis + 1) % 3] : 0;
+        corners[k][(axis + 2) % 3] = k >= 2 ? size[(axis + 2) % 3] : 0;
+      }
+      if (!far) std::swap(corners[1], corners[3]);
+      triangles.push_back({corners[0], corners[1], corners[2]});
+      triangles.push_back({corners[0], corners[2], corners[3]});
+    }
+  return binary_stl(triangles);
+}
+
+/// The tetrahedron in two solids of a text file.
 inline std::string text_stl() {
   const std::string head = "facet normal nan 0 -1e0\n outer loop\n", tail = " endloop\nendfacet\n";
   const std::string o = "vertex 0 0 -0\n", x = "vertex +1 0 0\n", y = "vertex 0 2.0e0 0\n", z = "vertex 0 0 .1\n";
@@ -42,4 +62,4 @@ inline std::string text_stl() {
          tail + head + o + z + y + tail + "FACET NORMAL 0 0 0 OUTER LOOP " + x + y + z + tail + "endsolid";
 }
 
-}  // namespace seiche::apps::test
+}  // namespace seiche::test

@@ -1,0 +1,129 @@
+#pragma once
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "solver/particles/face.hpp"
+
+namespace seiche::solver {
+
+/// A flat side of a thin wall within the tank, as liquid meets it: a part of a plane, the normal into the thin wall.
+template <int D>
+struct BaffleFace;
+
+/// In 2-D the part from one point to another, the thin wall on the left of the way.
+template <>
+struct BaffleFace<2> : Face<2> {
+  Vec<2> from, to;  ///< [m]
+
+  BaffleFace(const Vec<2>& a, const Vec<2>& b) : from(a), to(b) {
+    const Vec<2> way = (b - a).normalized();
+    normal = {-way[1], way[0]};
+    offset = normal.dot(a);
+  }
+
+  /// The point of it that is nearest to r.
+  Vec<2> nearest(const Vec<2>& r) const {
+    const Vec<2> way = to - from;
+    return from + std::clamp(way.dot(r - from) / way.squaredNorm(), 0.0, 1.0) * way;
+  }
+
+  /// Whether a point of its plane is on it.
+  bool holds(const Vec<2>& r) const {
+    const Vec<2> way = to - from;
+    const double along = way.dot(r - from);
+    return along >= 0 && along <= way.squaredNorm();
+  }
+};
+
+/// In 3-D the part that loops go round in its plane, within an odd number of them.
+template <>
+struct BaffleFace<3> : Face<3> {
+  Vec<3> origin, u, v;                     ///< of the plane: a point [m], and unit vectors along it
+  std::vector<std::vector<Vec<2>>> loops;  ///< (u, v) of their corners [m]
+
+  /// @param along_u, along_v unit vectors square to each other; the normal is along_u x along_v
+  BaffleFace(const Vec<3>& at, const Vec<3>& along_u, const Vec<3>& along_v, std::vector<std::vector<Vec<2>>> round)
+      : origin(at), u(along_u), v(along_v), loops(std::move(round)) {
+    normal = u.cross(v);
+    offset = normal.dot(at);
+  }
+
+  Vec<2> in_plane(const Vec<3>& r) const { return {u.dot(r - origin), v.dot(r - origin)}; }
+
+  Vec<3> nearest(const Vec<3>& r) const {
+    const Vec<3> foot = r - behind(r) * normal;
+    if (holds(foot)) return foot;
+    const Vec<2> at = in_plane(r);
+    Vec<2> best = loops.front().front();
+    for (const auto& loop : loops)
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const Vec<2> from = loop[k], way = loop[(k + 1) % loop.size()] - from;
+        const Vec<2> point = from + std::clamp(way.dot(at - from) / way.squaredNorm(), 0.0, 1.0) * way;
+        if ((point - at).squaredNorm() < (best - at).squaredNorm()) best = point;
+      }
+    return origin + best[0] * u + best[1] * v;
+  }
+
+  bool holds(const Vec<3>& r) const {
+    const Vec<2> at = in_plane(r);
+    bool inside = false;
+    for (const auto& loop : loops)
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const Vec<2>&a = loop[k], &b = loop[(k + 1) % loop.size()];
+        if ((a[1] > at[1]) != (b[1] > at[1]) && at[0] < a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
+          inside = !inside;
+      }
+    return inside;
+  }
+};
+
+/// The sides of the thin walls within a tank, which hide what lies behind them: two particles of liquid are neighbours
+/// only if the way from one to the other enters none, and a particle that stands for the solid behind a side is one
+/// only if that is the first which the way to it enters. So each side of a wall thinner than the reach of a pair has a
+/// solid of its own, also where the other side's liquid is.
+template <int D>
+class Baffles {
+ public:
+  explicit Baffles(std::vector<BaffleFace<D>> faces) : faces_(std::move(faces)) {}
+
+  const std::vector<BaffleFace<D>>& faces() const { return faces_; }
+
+  /// The first face that the way enters, -1 if it enters none.
+  int entered(const Vec<D>& from, const Vec<D>& to) const {
+    double first = std::numeric_limits<double>::infinity();
+    int found = -1;
+    for (std::size_t k = 0; k < faces_.size(); ++k) {
+      const double before = -faces_[k].behind(from), after = faces_[k].behind(to);
+      if (before < 0 || after <= 0) continue;
+      const double share = before / (before + after);
+      if (!(share < first) || !faces_[k].holds(from + share * (to - from))) continue;
+      first = share;
+      found = static_cast<int>(k);
+    }
+    return found;
+  }
+
+  /// Whether two particles are neighbours.
+  /// @param behind_a, behind_b the faces whose solid they stand for, -1 of liquid and of what lies behind the tank's
+  ///        wall
+  bool sees(const Vec<D>& a, int behind_a, const Vec<D>& b, int behind_b) const {
+    if (behind_a < 0 && behind_b < 0) return entered(a, b) < 0 && entered(b, a) < 0;
+    return behind_a == behind_b || (behind_b >= 0 && entered(a, b) == behind_b) ||
+           (behind_a >= 0 && entered(b, a) == behind_a);
+  }
+
+  /// Whether liquid at one point sees liquid at another.
+  bool sees(const Vec<D>& a, const Vec<D>& b) const { return sees(a, -1, b, -1); }
+
+  /// Whether any face is nearer to r than that [m].
+  bool is_near(const Vec<D>& r, double distance) const {
+    return std::any_of(faces_.begin(), faces_.end(),
+                       [&](const auto& face) { return (face.nearest(r) - r).squaredNorm() < distance * distance; });
+  }
+
+ private:
+  std::vector<BaffleFace<D>> faces_;
+};
+
+}  // namespace seiche::solver
