@@ -42,6 +42,13 @@ struct Parameters {
     std::optional<SectionPlane> section{};                   ///< the run is 2-D, in this plane of a 3-D tank
     bool closed = true;                                      ///< box: with a roof
 
+    /// A thin wall within it.
+    struct Baffle {
+      std::vector<std::array<double, 2>> points{};  ///< of the line that it follows
+      double thickness = 0;                         ///< 0: none
+    };
+    std::vector<Baffle> baffles{};
+
     bool is_body() const;  ///< whether it is 3-D as long as no section is taken
   } tank;
 

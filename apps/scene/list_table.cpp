@@ -48,6 +48,15 @@ const std::vector<List>& lists() {
            {"frequency", "Hz", AT(parameters.motion.harmonics, frequency), Range{0, 100}, ""},
            {"phase", "degrees", AT(parameters.motion.harmonics, phase), Range{-360, 360}, "at t = 0"},
        }},
+      {"tank",
+       "baffle",
+       "a thin wall within the tank, in 2-D: a line that liquid flows round and over",
+       ROWS(parameters.tank.baffles),
+       {
+           {"points", "m", AT(parameters.tank.baffles, points), Pairs{{-huge, huge}},
+            "(x, y) of the line that it follows", true},
+           {"thickness", "m", AT(parameters.tank.baffles, thickness), Range{0, huge}, "half on each side; 0: none"},
+       }},
       {"sensors",
        "pressure",
        "a pressure sensor, on the nearest wall if that is within l0/2, or inside the tank; none: one at the left "

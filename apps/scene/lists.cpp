@@ -8,6 +8,7 @@ namespace {
 /// The member of one table, where it isn't an enum.
 Target target(const Member& member, Scene& scene, std::size_t row) {
   if (const auto* number = std::get_if<double& (*)(Scene&, std::size_t)>(&member.access)) return &(*number)(scene, row);
+  if (const auto* points = std::get_if<Points& (*)(Scene&, std::size_t)>(&member.access)) return &(*points)(scene, row);
   return &std::get<std::string& (*)(Scene&, std::size_t)>(member.access)(scene, row);
 }
 

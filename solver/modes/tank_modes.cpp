@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "solver/modes/cut_out.hpp"
+
 namespace seiche::solver::modes {
 namespace {
 
@@ -95,12 +97,18 @@ std::vector<TankMode> tank_modes(const Revolved& tank, double level, double grav
 std::vector<TankMode> tank_modes(const Parameters& p, int count) {
   if (p.dimension() == 2) {
     const Section section = tank_section(p);
-    return tank_modes(section, section.bounds().low[1] + p.fluid.depth, p.gravity, count);
+    const double level = section.bounds().low[1] + p.fluid.depth;
+    if (p.tank.baffles.empty()) return tank_modes(section, level, p.gravity, count);
+    const double l0 = p.particles.spacing;
+    const Baffled tank(std::make_shared<Section>(section), baffle_lines(p.tank), l0, l0);
+    First first(count);
+    first.add(
+        section_modes(cut_out(polygons_of(section.wall()), tank.solids(), tank.plates()), level, p.gravity, count),
+        "across");
+    return first.all();
   }
   return std::visit(
-      [&](const auto& tank) {
-        return tank_modes(tank, tank.bounds().low[1] + p.fluid.depth, p.gravity, count);
-      },
+      [&](const auto& tank) { return tank_modes(tank, tank.bounds().low[1] + p.fluid.depth, p.gravity, count); },
       tank_body(p));
 }
 

@@ -4,7 +4,8 @@
 namespace seiche::solver {
 
 /// Particle shifting: the displacement -share l0^2 (d/n0) sum_j r_ij w/r_ij^2 of each fluid particle away from the free
-/// surface (`near` 0), towards where neighbours are sparse (after Xu, Stansby, Laurence 2009) [m]; zero elsewhere.
+/// surface (`near` 0), towards where neighbours are sparse (after Xu, Stansby, Laurence 2009) [m]; zero elsewhere,
+/// and within l0 of a plate's rim, where liquid that comes out of its shadow would make it jump.
 /// @param share strength sqrt(g H) dt/l0: particles even out at a rate of their own, whatever the step
 template <int D>
 void particle_shift(const Pairs<D>& pairs, double n0, double share, double l0, const std::vector<std::uint8_t>& near,
@@ -14,6 +15,7 @@ void particle_shift(const Pairs<D>& pairs, double n0, double share, double l0, c
   for (int i = 0; i < size; ++i) {
     out[i].setZero();
     if (s.kind[i] != Kind::fluid || near[i] || share == 0) continue;
+    if (s.baffles && s.baffles->is_at_rim(s.position[i], l0)) continue;
     Vec<D> sum = Vec<D>::Zero();
     pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) { sum -= s.volume[j] * weight * rij; });
     out[i] = share * l0 * l0 * D / n0 * sum;

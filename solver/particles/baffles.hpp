@@ -15,8 +15,9 @@ struct BaffleFace;
 template <>
 struct BaffleFace<2> : Face<2> {
   Vec<2> from, to;  ///< [m]
+  bool of_plate;    ///< the other side of the thin wall is in the same place
 
-  BaffleFace(const Vec<2>& a, const Vec<2>& b) : from(a), to(b) {
+  BaffleFace(const Vec<2>& a, const Vec<2>& b, bool plate) : from(a), to(b), of_plate(plate) {
     const Vec<2> way = (b - a).normalized();
     normal = {-way[1], way[0]};
     offset = normal.dot(a);
@@ -27,6 +28,8 @@ struct BaffleFace<2> : Face<2> {
     const Vec<2> way = to - from;
     return from + std::clamp(way.dot(r - from) / way.squaredNorm(), 0.0, 1.0) * way;
   }
+
+  double distance_to_rim(const Vec<2>& r) const { return std::min((r - from).norm(), (r - to).norm()); }
 
   /// Whether a point of its plane is on it.
   bool holds(const Vec<2>& r) const {
@@ -41,10 +44,12 @@ template <>
 struct BaffleFace<3> : Face<3> {
   Vec<3> origin, u, v;                     ///< of the plane: a point [m], and unit vectors along it
   std::vector<std::vector<Vec<2>>> loops;  ///< (u, v) of their corners [m]
+  bool of_plate;
 
   /// @param along_u, along_v unit vectors square to each other; the normal is along_u x along_v
-  BaffleFace(const Vec<3>& at, const Vec<3>& along_u, const Vec<3>& along_v, std::vector<std::vector<Vec<2>>> round)
-      : origin(at), u(along_u), v(along_v), loops(std::move(round)) {
+  BaffleFace(const Vec<3>& at, const Vec<3>& along_u, const Vec<3>& along_v, std::vector<std::vector<Vec<2>>> round,
+             bool plate)
+      : origin(at), u(along_u), v(along_v), loops(std::move(round)), of_plate(plate) {
     normal = u.cross(v);
     offset = normal.dot(at);
   }
@@ -53,7 +58,12 @@ struct BaffleFace<3> : Face<3> {
 
   Vec<3> nearest(const Vec<3>& r) const {
     const Vec<3> foot = r - behind(r) * normal;
-    if (holds(foot)) return foot;
+    return holds(foot) ? foot : nearest_of_rim(r);
+  }
+
+  double distance_to_rim(const Vec<3>& r) const { return (nearest_of_rim(r) - r).norm(); }
+
+  Vec<3> nearest_of_rim(const Vec<3>& r) const {
     const Vec<2> at = in_plane(r);
     Vec<2> best = loops.front().front();
     for (const auto& loop : loops)
@@ -109,12 +119,20 @@ class Baffles {
   ///        wall
   bool sees(const Vec<D>& a, int behind_a, const Vec<D>& b, int behind_b) const {
     if (behind_a < 0 && behind_b < 0) return entered(a, b) < 0 && entered(b, a) < 0;
+    if (behind_a >= 0 && behind_b >= 0 && behind_a != behind_b && !face_each_other(a, behind_a, b, behind_b))
+      return false;
     return behind_a == behind_b || (behind_b >= 0 && entered(a, b) == behind_b) ||
            (behind_a >= 0 && entered(b, a) == behind_a);
   }
 
   /// Whether liquid at one point sees liquid at another.
   bool sees(const Vec<D>& a, const Vec<D>& b) const { return sees(a, -1, b, -1); }
+
+  /// Whether the rim of a plate is nearer to r than that [m].
+  bool is_at_rim(const Vec<D>& r, double distance) const {
+    return std::any_of(faces_.begin(), faces_.end(),
+                       [&](const auto& face) { return face.of_plate && face.distance_to_rim(r) < distance; });
+  }
 
   /// Whether any face is nearer to r than that [m].
   bool is_near(const Vec<D>& r, double distance) const {
@@ -123,6 +141,14 @@ class Baffles {
   }
 
  private:
+  /// Whether liquid can stand before both sides, as in a corner between them: each particle's foot is before the
+  /// other's side.
+  bool face_each_other(const Vec<D>& a, int behind_a, const Vec<D>& b, int behind_b) const {
+    const BaffleFace<D>&first = faces_[behind_a], &second = faces_[behind_b];
+    return second.behind(a - first.behind(a) * first.normal) < 0 &&
+           first.behind(b - second.behind(b) * second.normal) < 0;
+  }
+
   std::vector<BaffleFace<D>> faces_;
 };
 

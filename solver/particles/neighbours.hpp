@@ -1,6 +1,7 @@
 #pragma once
 #include <omp.h>
 
+#include <algorithm>
 #include <span>
 
 #include "solver/particles/cell_grid.hpp"
@@ -13,7 +14,8 @@ namespace seiche::solver {
 
 /// The one neighbour list of a step, shared by all operators. Row i names every j != i that was within
 /// radius + skin when the list was made, in rising order; it holds every pair within `radius` until particles that were
-/// near each other have come nearer by the skin. Dummy particles have empty rows: nothing is computed at them.
+/// near each other have come nearer by the skin, but those that baffles hid from each other when it was made. Dummy
+/// particles have empty rows: nothing is computed at them.
 template <int D>
 class Neighbours {
  public:
@@ -51,6 +53,7 @@ class Neighbours {
       for (int i = first; i < last; ++i) {
         row_[i].first = count;
         if (s.kind[i] != Kind::dummy) count = add_row(s, i, found, count);
+        if (s.baffles) count = drop_hidden(s, i, found, row_[i].first, count);
         row_[i].last = count;
       }
       std::vector<int>& kept = chunk_[first / chunk_rows];
@@ -87,6 +90,15 @@ class Neighbours {
       count = out;
     });
     return count;
+  }
+
+  /// Takes what i doesn't see out of its row, the entries from `first` to `count`; returns the place after those left.
+  int drop_hidden(const State<D>& s, int i, std::vector<int>& found, int first, int count) const {
+    // What stands behind a face is no farther from it than a pair reaches.
+    if (first == count || !s.baffles->is_near(s.position[i], 2 * (radius_ + skin_))) return count;
+    const auto hidden = [&](int j) { return !s.baffles->sees(s.position[i], s.behind[i], s.position[j], s.behind[j]); };
+    const auto end = std::remove_if(found.begin() + first, found.begin() + count, hidden);
+    return static_cast<int>(end - found.begin());
   }
 
   double radius_, skin_;

@@ -1,8 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "solver/frame.hpp"
+#include "solver/particles/baffles.hpp"
 #include "solver/particles/face.hpp"
 #include "solver/particles/kept.hpp"
 #include "solver/particles/vec.hpp"
@@ -24,10 +26,12 @@ struct State {
   std::vector<std::uint32_t> id;
   Scalars volume;  ///< what a wall particle or dummy stands for [l0^D]; 1 for fluid
   Scalars wet;     ///< weight as a neighbour: of walls the volume beside liquid, 0 where they are dry; 1 for fluid
+  std::vector<int> behind;  ///< face of a baffle whose solid it stands for; -1 for all others
 
-  std::vector<std::vector<Face<D>>> edges;  ///< faces that meet at each edge where the wall is convex
-  Vecs<D> listed_position;                  ///< where each particle was when the neighbour list was made
-  double time = 0;                          ///< [s]
+  std::shared_ptr<const Baffles<D>> baffles;  ///< null where the tank has none
+  std::vector<std::vector<Face<D>>> edges;    ///< faces that meet at each edge where the wall is convex
+  Vecs<D> listed_position;                    ///< where each particle was when the neighbour list was made
+  double time = 0;                            ///< [s]
   long step = 0;
 
   std::size_t size() const { return position.size(); }
@@ -36,6 +40,9 @@ struct State {
   Vec<D> normal_from(const Vec<D>& r, int j) const {
     return edge[j] < 0 ? normal[j] : entered_face(edges[edge[j]], r, position[j]);
   }
+
+  /// Whether j stands for the solid of a baffle's side, and not for what lies behind the tank's wall there, too.
+  bool in_baffle(int j) const { return behind[j] >= 0 && normal[j] == baffles->faces()[behind[j]].normal; }
 
   void add(const Vec<D>& r, Kind k, const Vec<D>& n, double v = 1) {
     position.push_back(r);
@@ -49,6 +56,7 @@ struct State {
     near_surface.push_back(0);
     volume.push_back(v);
     wet.push_back(v);
+    behind.push_back(-1);
     id.push_back(static_cast<std::uint32_t>(id.size()));
   }
 
@@ -66,6 +74,7 @@ struct State {
     pick(id, order, ids_);
     pick(volume, order, scalars_);
     pick(wet, order, scalars_);
+    pick(behind, order, edges_);
   }
 
  private:

@@ -23,6 +23,8 @@ struct PaperBoundary {
 /// The stabilised scheme's: fluid is unknown but for the free surface, whose pressures are given. Behind a wall the
 /// pressure goes on with the slope that holds still liquid there, p_j = p_i + rho (f.n)(n.r_ij), f the body force: so a
 /// hydrostatic field is exact, and gravity enters through the walls alone.
+/// Beside the edge of a baffle liquid takes the place of what would balance the slope along it, so that there all of it
+/// counts, p_j = p_i + rho f.r_ij.
 /// The neighbours that a particle below the surface lacks, n0 - n_i in all, are air beyond p = 0; pressures that go on
 /// linearly make them add 4/3 (n0 - n_i) p_i (a particle of the second layer lies 3/2 l0 below the zero, its air l0/2
 /// above it), which also keeps p continuous as a particle leaves the surface. After Shibata et al. (2015).
@@ -38,8 +40,9 @@ struct GhostBoundary {
   double diagonal(int i) const { return near[i] ? 4. / 3 * n0 * std::max(0.0, 1 - density[i] / density_n0) : 0; }
   double pair_diagonal(int j, double weight) const { return s.kind[j] == Kind::fluid ? weight : 0; }
   double pair_rhs(int i, int j, double weight, const Vec<D>& rij) const {
-    return weight *
-           (s.kind[j] == Kind::fluid ? s.pressure[j] : rise_across(s.normal_from(s.position[i], j), slope[i], rij));
+    if (s.kind[j] == Kind::fluid) return weight * s.pressure[j];
+    if (s.in_baffle(j)) return weight * slope[i].dot(rij);
+    return weight * rise_across(s.normal_from(s.position[i], j), slope[i], rij);
   }
 };
 

@@ -14,16 +14,22 @@ struct LinearPressure {
   Vec<D> slope = Vec<D>::Zero();  ///< [Pa/m]
 };
 
+/// How far before a wall that is seen from which looks along it [l0].
+constexpr double eye_distance = 1e-3;
+
 /// The linear function that fits the pressure of the fluid within 3 l0 of the point best (weighted least squares, KF3).
 /// Exact on a hydrostatic field wherever the neighbours span space; their weighted mean where they don't; 0 where there
-/// is no fluid.
+/// is no fluid. Fluid that baffles hide doesn't count.
+/// @param eye where it is seen from: the point, of a wall just before it
 template <int D>
-LinearPressure<D> fit_pressure(const Vec<D>& point, double l0, const State<D>& s, const FluidCells<D>& cells) {
+LinearPressure<D> fit_pressure(const Vec<D>& point, const Vec<D>& eye, double l0, const State<D>& s,
+                               const FluidCells<D>& cells) {
   const KF3 w{FluidCells<D>::reach * l0};
   using Row = Eigen::Matrix<double, D + 1, 1>;
   Eigen::Matrix<double, D + 1, D + 1> normal = Eigen::Matrix<double, D + 1, D + 1>::Zero();
   Row right = Row::Zero();
   cells.near(point, [&](int j, const Vec<D>& offset) {
+    if (s.baffles && !s.baffles->sees(eye, s.position[j])) return;
     const double weight = w(offset.norm());
     Row row;
     row << 1, offset / l0;

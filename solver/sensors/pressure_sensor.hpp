@@ -21,6 +21,7 @@ class PressureSensor {
     const Vec<D> place = Vec<3>(sensor.x, sensor.y, sensor.z).head<D>();
     const Nearest<D> wall = tank.nearest(place);
     const bool on_wall = wall.distance > -on_wall_within * l0;
+    if (on_wall) to_eye_ = -eye_distance * l0 * wall.normal;
     points_.push_back(on_wall ? wall.foot : place);
     if (on_wall && sensor.side > 0)
       for (const Vec<D>& way : along(wall.normal)) spread(tank, wall, way, sensor.side);
@@ -33,7 +34,7 @@ class PressureSensor {
   double read(const State<D>& s, const FluidCells<D>& cells) const {
     double sum = 0, highest = 0;
     for (const Vec<D>& point : points_) {
-      const double pressure = std::max(0.0, fit_pressure(point, l0_, s, cells).value);
+      const double pressure = std::max(0.0, fit_pressure(point, Vec<D>(point + to_eye_), l0_, s, cells).value);
       sum += pressure;
       highest = std::max(highest, pressure);
     }
@@ -86,6 +87,7 @@ class PressureSensor {
 
   double l0_;
   PressureReading reading_;
+  Vec<D> to_eye_ = Vec<D>::Zero();  ///< from a point on the wall [m]
   Vecs<D> points_;
 };
 

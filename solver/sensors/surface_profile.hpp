@@ -98,6 +98,12 @@ class SurfaceProfile {
     for (std::size_t i = 0; i < walls.size(); ++i) {
       if (walls.kind[i] == Kind::fluid) continue;
       const Vec<D>& r = walls.position[i];
+      if (walls.behind[i] >= 0) {
+        const double solid = walls.volume[i] * share_in_baffle(tank, walls.baffles->faces()[walls.behind[i]], r);
+        all.add(r, solid);
+        beside_.add(r, solid);
+        continue;
+      }
       const double upright = std::pow((r - tank.nearest(r).foot).normalized()[1], 2);
       all.add(r, walls.volume[i]);
       if (upright < 1) beside_.add(r, (1 - upright) * walls.volume[i]);
@@ -113,6 +119,16 @@ class SurfaceProfile {
       if (tank.nearest(point).distance > 0) point = wall.foot - 0.5 * lattice_.l0 * wall.normal;
       mirrors_.push_back({point, mirrored_.weight(i) / std::max(least_open, 1 - all.linear_sum(point))});
     }
+  }
+
+  /// Of what a particle behind a side of a baffle stands for, what lies in the half of the baffle on that side.
+  double share_in_baffle(const Shape<D>& tank, const BaffleFace<D>& face, const Vec<D>& r) const {
+    const double depth = face.behind(r), l0 = lattice_.l0, step = 0.02 * l0;
+    const Vec<D> foot = r - depth * face.normal;
+    if (!face.holds(foot) || tank.nearest(foot - step * face.normal).distance > 0) return 0;
+    double half = 0;
+    while (half < depth + l0 && tank.nearest(foot + 2 * (half + step) * face.normal).distance > 0) half += step;
+    return std::clamp((half - depth) / l0 + 0.5, 0.0, 1.0);
   }
 
   void fill_mirrors() {

@@ -29,7 +29,7 @@ class WallLoad {
   Load<D> read(const State<D>& s, const FluidCells<D>& cells) {
     const int size = static_cast<int>(facets_.size());
 #pragma omp parallel for schedule(static)
-    for (int k = 0; k < size; ++k) loads_[k] = is_wet(facets_[k].centre, cells) ? on(facets_[k], s, cells) : Load<D>{};
+    for (int k = 0; k < size; ++k) loads_[k] = is_wet(facets_[k], s, cells) ? on(facets_[k], s, cells) : Load<D>{};
     Load<D> sum;
     for (const Load<D>& load : loads_) {
       sum.force += load.force;
@@ -39,14 +39,21 @@ class WallLoad {
   }
 
  private:
-  bool is_wet(const Vec<D>& centre, const FluidCells<D>& cells) const {
+  /// On the liquid's side.
+  Vec<D> eye(const Facet<D>& facet) const {
+    return facet.centre - eye_distance * l0_ * facet.points.front().area.normalized();
+  }
+
+  bool is_wet(const Facet<D>& facet, const State<D>& s, const FluidCells<D>& cells) const {
     bool wet = false;
-    cells.near(centre, [&](int, const Vec<D>& offset) { wet |= offset.norm() < 1.5 * l0_; });
+    cells.near(facet.centre, [&](int j, const Vec<D>& offset) {
+      wet |= offset.norm() < 1.5 * l0_ && (!s.baffles || s.baffles->sees(eye(facet), s.position[j]));
+    });
     return wet;
   }
 
   Load<D> on(const Facet<D>& facet, const State<D>& s, const FluidCells<D>& cells) const {
-    const LinearPressure<D> fit = fit_pressure(facet.centre, l0_, s, cells);
+    const LinearPressure<D> fit = fit_pressure(facet.centre, eye(facet), l0_, s, cells);
     const Eigen::Vector2d arm = facet.centre.template head<2>() - pivot_;
     Load<D> sum;
     for (const auto& [offset, area] : facet.points) {

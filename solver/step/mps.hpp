@@ -46,10 +46,15 @@ class Mps final : public Simulation {
   void separate();
   void remove_lost();
 
+  /// Nothing moves through a baffle.
   template <class F>
   void move_fluid(F by) {
-    each_fluid(s_, [&](int i) { s_.position[i] += by(i); });
+    each_fluid(s_, [&](int i) {
+      const Vec<D> to = s_.position[i] + by(i);
+      s_.position[i] = s_.baffles ? stopped_at_baffles(i, to) : to;
+    });
   }
+  Vec<D> stopped_at_baffles(int i, Vec<D> to);
 
   Parameters p_;
   Motion motion_;

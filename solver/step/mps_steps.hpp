@@ -36,6 +36,19 @@ void Mps<D>::step_project_first(double dt) {
   separate();
 }
 
+/// Where particle i comes to on its way to a place: l0/20 before the first side of a baffle that it would enter, and
+/// there it moves along that. What would enter another on that way stays where it is.
+template <int D>
+Vec<D> Mps<D>::stopped_at_baffles(int i, Vec<D> to) {
+  const Vec<D>& from = s_.position[i];
+  const int face = s_.baffles->entered(from, to);
+  if (face < 0) return to;
+  const BaffleFace<D>& side = s_.baffles->faces()[face];
+  to -= (side.behind(to) + 0.05 * p_.particles.spacing) * side.normal;
+  s_.velocity[i] -= std::max(0.0, s_.velocity[i].dot(side.normal)) * side.normal;
+  return s_.baffles->entered(from, to) < 0 ? to : from;
+}
+
 template <int D>
 void Mps<D>::list_neighbours() {
   const Stage stage(totals_.seconds["search"]);

@@ -7,9 +7,9 @@
 namespace seiche::solver {
 namespace {
 
-std::vector<Vec<2>> points_of(const Parameters::Tank& tank) {
+std::vector<Vec<2>> points_of(const std::vector<std::array<double, 2>>& pairs) {
   std::vector<Vec<2>> points;
-  for (const auto& [first, second] : tank.points) points.emplace_back(first, second);
+  for (const auto& [first, second] : pairs) points.emplace_back(first, second);
   return points;
 }
 
@@ -30,7 +30,7 @@ Body tank_body(const Parameters& p) {
     case TankShape::box:
       break;
     case TankShape::prism:
-      return prism(points_of(tank), along_z(tank.width));
+      return prism(points_of(tank.points), along_z(tank.width));
     case TankShape::membrane:
       return membrane(tank.breadth, tank.height, chamfer(tank.lower_chamfer), chamfer(tank.upper_chamfer),
                       along_z(tank.length));
@@ -39,11 +39,18 @@ Body tank_body(const Parameters& p) {
     case TankShape::sphere:
       return sphere(tank.radius);
     case TankShape::revolve:
-      return revolve(points_of(tank));
+      return revolve(points_of(tank.points));
     case TankShape::mesh:
       return MeshTank(tank.mesh, p.particles.spacing);
   }
   return rectangle(tank, along_z(tank.width));
+}
+
+std::vector<BaffleLine> baffle_lines(const Parameters::Tank& tank) {
+  std::vector<BaffleLine> lines;
+  for (const Parameters::Tank::Baffle& baffle : tank.baffles)
+    lines.push_back({points_of(baffle.points), baffle.thickness});
+  return lines;
 }
 
 Section tank_section(const Parameters& p) {

@@ -28,6 +28,17 @@ Vec<D> off_the_wall(const Shape<D>& tank, const Vec<D>& r, double distance) {
   return wall.distance > -distance ? Vec<D>(r - (wall.distance + distance) * wall.normal) : r;
 }
 
+/// A place no nearer to any side of a baffle than that, on the same side [m].
+template <int D>
+Vec<D> off_baffles(const Baffles<D>& baffles, Vec<D> r, double distance) {
+  for (const BaffleFace<D>& face : baffles.faces()) {
+    const double before = -face.behind(r);
+    if (before >= 0 && before < distance && (face.nearest(r) - r).norm() < distance)
+      r -= (distance - before) * face.normal;
+  }
+  return r;
+}
+
 /// Adds the liquid at rest below the level: a particle for each cell of its lattice, in cells that a wall cuts as many
 /// as their liquid fills, each at the centroid of that, l0/10 off the wall or more. N l0^D is the liquid's volume
 /// within half a particle. The pressure is hydrostatic.
@@ -40,26 +51,31 @@ void add_liquid(const Parameters& p, const Shape<D>& tank, State<D>& s) {
   const LiquidLattice<D> lattice(bounds, level, l0);
   struct Part {
     Cell cell;
+    int number;  ///< in its cell
     CellPart<D> inside;
   };
   std::vector<Part> parts;
-  CutCells<D> cut;
+  CutCells<D> cut(s.baffles.get());
   long whole = 0;
   lattice.each([&](const Cell& cell) {
-    const CellPart<D> inside = part_inside(tank, lattice.centre(cell), l0);
-    if (inside.share == 0 || inside.centroid[0] > end) return;
-    parts.push_back({cell, inside});
-    if (inside.share == 1)
-      ++whole;
-    else
-      cut.add(cell, inside.share);
+    int number = 0;
+    for (const CellPart<D>& inside : parts_inside(tank, s.baffles.get(), lattice.centre(cell), l0)) {
+      if (inside.share == 0 || inside.centroid[0] > end) continue;
+      parts.push_back({cell, number, inside});
+      if (inside.share == 1)
+        ++whole;
+      else
+        cut.add(cell, number, inside.share, inside.centroid);
+      ++number;
+    }
   });
   // Liquid that begins as a column stands in a box, which cuts no cell.
   if (whole < static_cast<long>(parts.size()))
     cut.choose(std::lround(volume_below(tank.surface(), level) / std::pow(l0, D)) - whole);
-  for (const auto& [cell, inside] : parts) {
-    if (inside.share < 1 && !cut.has_particle(cell)) continue;
-    const Vec<D> r = inside.share < 1 ? off_the_wall(tank, inside.centroid, 0.1 * l0) : inside.centroid;
+  for (const auto& [cell, number, inside] : parts) {
+    if (inside.share < 1 && !cut.has_particle(cell, number)) continue;
+    Vec<D> r = inside.share < 1 ? off_the_wall(tank, inside.centroid, 0.1 * l0) : inside.centroid;
+    if (s.baffles) r = off_baffles(*s.baffles, r, 0.1 * l0);
     s.add(r, Kind::fluid, Vec<D>::Zero());
     s.pressure.back() = p.fluid.density * p.gravity * (level - r[1]);
   }
@@ -74,6 +90,7 @@ void add_walls(const Parameters& p, const Shape<D>& tank, State<D>& s) {
     for (const WallPoint<D>& point : points) {
       if ((point.layer == 0) != (kind == Kind::wall)) continue;
       s.add(point.position, kind, point.normal, point.weight);
+      s.behind.back() = point.behind;
       if (point.faces.empty()) continue;
       s.edge.back() = static_cast<int>(s.edges.size());
       s.edges.push_back(point.faces);
@@ -85,6 +102,7 @@ void add_walls(const Parameters& p, const Shape<D>& tank, State<D>& s) {
 template <int D>
 State<D> fill_tank(const Parameters& p, const Shape<D>& tank) {
   State<D> s;
+  s.baffles = tank.baffles();
   add_liquid(p, tank, s);
   add_walls(p, tank, s);
   return s;

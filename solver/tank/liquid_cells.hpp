@@ -51,7 +51,13 @@ class CutCells {
  public:
   using Cell = typename LiquidLattice<D>::Cell;
 
-  void add(const Cell& cell, double share) { cells_.emplace(key(cell), Cut{cell, share}); }
+  /// @param part of the cell, by its number: baffles may cut it into several, which don't see each other
+  void add(const Cell& cell, int part, double share, const Vec<D>& centroid) {
+    cells_.emplace(key(cell, part), Cut{cell, part, share, centroid});
+  }
+
+  /// Parts pass on only to what they see.
+  explicit CutCells(const Baffles<D>* baffles = nullptr) : baffles_(baffles) {}
 
   /// @param wanted particles in all cut cells: the last few are chosen such that it is met
   void choose(long wanted) {
@@ -68,21 +74,24 @@ class CutCells {
       if (!change_one(kept < wanted)) return;
   }
 
-  bool has_particle(const Cell& cell) const { return cells_.at(key(cell)).kept; }
+  bool has_particle(const Cell& cell, int part) const { return cells_.at(key(cell, part)).kept; }
 
  private:
   struct Cut {
     Cell cell;
+    int part;
     double share;
+    Vec<D> centroid;
     double sum = 0;
     bool kept = false;
   };
-  using Key = std::array<int, D>;
+  using Key = std::array<int, D + 1>;
 
   static int turned(int at, int row) { return row % 2 == 0 ? at : -at; }
 
-  static Key key(const Cell& cell) {
+  static Key key(const Cell& cell, int part) {
     Key key;
+    key[D] = part;
     key[0] = -cell[1];
     key[1] = turned(cell[0], cell[1]);
     if constexpr (D == 3) key[2] = turned(cell[2], cell[0] + cell[1]);
@@ -91,17 +100,18 @@ class CutCells {
 
   void pass_on(const Key& at, const Cut& cut, double& carried) {
     constexpr int around = D == 2 ? 9 : 27;
-    std::array<Cut*, around> later{};
-    int count = 0;
+    std::vector<Cut*> later;
     for (int k = 0; k < around; ++k) {
       Cell other = cut.cell;
       for (int a = 0, rest = k; a < D; ++a, rest /= 3) other[a] += rest % 3 - 1;
-      if (!(key(other) > at)) continue;
-      if (const auto found = cells_.find(key(other)); found != cells_.end()) later[count++] = &found->second;
+      for (auto found = cells_.lower_bound(key(other, 0)); found != cells_.end() && found->second.cell == other;
+           ++found)
+        if (found->first > at && (!baffles_ || baffles_->sees(cut.centroid, found->second.centroid)))
+          later.push_back(&found->second);
     }
     const double rest = cut.sum - cut.kept;
-    if (count == 0) carried = rest;
-    for (int k = 0; k < count; ++k) later[k]->sum += rest / count;
+    if (later.empty()) carried = rest;
+    for (Cut* other : later) other->sum += rest / static_cast<double>(later.size());
   }
 
   /// Gives a particle to the cell that came nearest to one, or takes it from the cell that least had it.
@@ -113,6 +123,7 @@ class CutCells {
     return best != nullptr;
   }
 
+  const Baffles<D>* baffles_;
   std::map<Key, Cut> cells_;
 };
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "solver/parameters.hpp"
+#include "solver/particles/baffles.hpp"
 #include "solver/particles/vec.hpp"
 #include "solver/surface_mesh.hpp"
 #include "solver/tank/wall_point.hpp"
@@ -48,6 +49,9 @@ class Shape {
   /// particles that line the tank.
   /// @param reach of a pair, for the faces of points beside a convex edge of the solid [m]
   virtual std::vector<WallPoint<D>> wall_points(int layers, double l0, double reach) const = 0;
+
+  /// Thin walls within it; null where it has none.
+  virtual std::shared_ptr<const Baffles<D>> baffles() const { return nullptr; }
 
   /// For messages, as in "x from 0 to 0.6 m, y from 0 to 0.4 m".
   virtual std::string description() const = 0;

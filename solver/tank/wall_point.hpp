@@ -17,6 +17,7 @@ struct WallPoint {
   int layer;
   int patch;                   ///< that the nearest point is on
   std::vector<Face<D>> faces;  ///< that a pair may cross; only beside an edge whose liquid side is over 180 degrees
+  int behind = -1;             ///< face of a baffle that it stands behind (`Baffles`), -1 of the tank's own wall
 };
 
 }  // namespace seiche::solver

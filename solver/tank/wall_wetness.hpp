@@ -48,7 +48,8 @@ class WallWetness {
       if (s.kind[i] != Kind::wall) continue;
       for (int j : list[i]) {
         const double r2 = (s.position[j] - s.position[i]).squaredNorm();
-        if (s.kind[j] == Kind::dummy && r2 < distance_[j]) distance_[j] = r2, before_[j] = i;
+        if (s.kind[j] == Kind::dummy && s.behind[j] == s.behind[i] && r2 < distance_[j])
+          distance_[j] = r2, before_[j] = i;
       }
     }
   }

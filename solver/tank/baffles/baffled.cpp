@@ -57,7 +57,8 @@ Baffled::Baffled(std::shared_ptr<const Shape<2>> tank, const std::vector<BaffleL
   for (const Side& side : sides_) {
     const Vec<2> beyond = reach * (side.to - side.from).normalized();
     faces.emplace_back(side.from_wall ? Vec<2>(side.from - beyond) : side.from,
-                       side.to_wall ? Vec<2>(side.to + beyond) : side.to);
+                       side.to_wall ? Vec<2>(side.to + beyond) : side.to,
+                       solid_of_[static_cast<std::size_t>(side.baffle)] < 0);
   }
   faces_ = std::make_shared<const Baffles<2>>(std::move(faces));
 }
@@ -106,6 +107,20 @@ Nearest<2> Baffled::nearest(const Vec<2>& r) const {
   return wall;
 }
 
+std::vector<std::vector<Vec<2>>> Baffled::solids() const {
+  std::vector<std::vector<Vec<2>>> all;
+  for (std::size_t k = 0; k < outlines_.size(); ++k)
+    if (solid_of_[k] >= 0) all.push_back(outlines_[k]);
+  return all;
+}
+
+std::vector<std::vector<Vec<2>>> Baffled::plates() const {
+  std::vector<std::vector<Vec<2>>> all;
+  for (std::size_t k = 0; k < outlines_.size(); ++k)
+    if (solid_of_[k] < 0) all.push_back(outlines_[k]);
+  return all;
+}
+
 SurfaceMesh Baffled::surface() const {
   SurfaceMesh mesh;
   const SurfaceMesh wall = tank_->surface();
@@ -143,8 +158,7 @@ SurfaceMesh Baffled::surface() const {
 
 std::vector<WallPoint<2>> Baffled::wall_points(int layers, double l0, double reach) const {
   std::vector<WallPoint<2>> points = tank_->wall_points(layers, l0, reach);
-  for (std::size_t k = 0; k < sides_.size(); ++k)
-    add_points(sides_[k], static_cast<int>(k), layers, l0, reach, points);
+  for (std::size_t k = 0; k < sides_.size(); ++k) add_points(sides_[k], static_cast<int>(k), layers, l0, reach, points);
   return points;
 }
 
@@ -159,9 +173,9 @@ void Baffled::add_points(const Side& side, int face, int layers, double l0, doub
     const Vec<2> r = side.from + at * along + depth * normal;
     Vec<2> facing = normal;
     if (past_wall) {
-      // Behind the wall, too: beyond the corner between both, or behind the wall before this side.
+      // Behind the wall, too: there it is the wall's slope that goes on.
       const Nearest<2> wall = tank_->nearest(r);
-      if (wall.distance > 0) facing = normal.dot(wall.foot - side.from) < 0 ? wall.normal : Vec<2>(Vec<2>::Zero());
+      if (wall.distance > 0) facing = wall.normal;
     }
     points.push_back({r, facing, weight, layer, patch, {}, face});
   };

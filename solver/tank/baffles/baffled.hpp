@@ -12,11 +12,13 @@ class Baffled final : public Shape<2> {
   /// An end of a baffle that is nearer to the tank's wall than this is on it [l0].
   static constexpr double touching = 0.1;
 
-  /// @param reach of a pair of particles [m]. Throws BadParameters as `outline_of` does, and where a baffle lies outside
+  /// @param reach of a pair of particles [m]. Throws BadParameters as `outline_of` does, and where a baffle lies
+  /// outside
   ///        the tank.
   Baffled(std::shared_ptr<const Shape<2>> tank, const std::vector<BaffleLine>& baffles, double l0, double reach);
 
-  /// The tank's wall and that of baffles with a thickness; exact. Plates have liquid on both sides: to them it is blind.
+  /// The tank's wall and that of baffles with a thickness; exact. Plates have liquid on both sides: to them it is
+  /// blind.
   Nearest<2> nearest(const Vec<2>& r) const override;
   Bounds<2> bounds() const override { return tank_->bounds(); }
   bool is_closed() const override { return tank_->is_closed(); }
@@ -26,6 +28,9 @@ class Baffled final : public Shape<2> {
   /// side may see them.
   std::vector<WallPoint<2>> wall_points(int layers, double l0, double reach) const override;
   std::shared_ptr<const Baffles<2>> baffles() const override { return faces_; }
+  /// Of each baffle, as `outline_of`: of those with a thickness, and of plates.
+  std::vector<std::vector<Vec<2>>> solids() const;
+  std::vector<std::vector<Vec<2>>> plates() const;
   std::string description() const override { return tank_->description(); }
 
  private:

@@ -31,9 +31,9 @@ void check(const BaffleLine& baffle) {
     const double cosine = last.dot(way) / (last.norm() * way.norm());
     const double moved = 0.5 * baffle.thickness * std::sqrt(std::max(0.0, (1 - cosine) / (1 + cosine)));
     if (!(moved < std::min(last.norm(), way.norm())))
-      throw BadParameters(fmt::format(
-          "a baffle {:.6g} m thick bends too sharply at {}: give it longer parts, or less thickness",
-          baffle.thickness, place));
+      throw BadParameters(
+          fmt::format("a baffle {:.6g} m thick bends too sharply at {}: give it longer parts, or less thickness",
+                      baffle.thickness, place));
   }
 }
 

@@ -15,7 +15,7 @@ struct PressureFit : ::testing::Test {
   SensedTank<D> tank;
   double at_floor = 1000 * 9.81 * 0.1;
 
-  LinearPressure<D> fit(const Vec<D>& point) const { return fit_pressure<D>(point, l0, tank.s, tank.cells()); }
+  LinearPressure<D> fit(const Vec<D>& point) const { return fit_pressure<D>(point, point, l0, tank.s, tank.cells()); }
   double read(const Vec<D>& point) const { return fit(point).value; }
 };
 TYPED_TEST_SUITE(PressureFit, test::Dimensions);

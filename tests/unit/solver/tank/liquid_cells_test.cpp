@@ -52,13 +52,13 @@ TEST(PartInside, AddsUpToTheTank) {
 
 TEST(CutCells, KeepTheirShareEvenlyAndInAll) {
   CutCells<2> cut;
-  for (int y = 0; y < 100; ++y) cut.add({0, y}, 0.3), cut.add({9, y}, 0.3);
+  for (int y = 0; y < 100; ++y) cut.add({0, y}, 0, 0.3, {0, 0}), cut.add({9, y}, 0, 0.3, {0, 0});
   cut.choose(60);
   for (const int x : {0, 9}) {
     int kept = 0, longest = 0, gap = 0;
     for (int y = 0; y < 100; ++y) {
-      kept += cut.has_particle({x, y});
-      gap = cut.has_particle({x, y}) ? 0 : gap + 1;
+      kept += cut.has_particle({x, y}, 0);
+      gap = cut.has_particle({x, y}, 0) ? 0 : gap + 1;
       longest = std::max(longest, gap);
     }
     EXPECT_EQ(kept, 30) << "each wall has what lies beside it";
@@ -69,10 +69,10 @@ TEST(CutCells, KeepTheirShareEvenlyAndInAll) {
 TEST(CutCells, MeetANumberThatSharesMiss) {
   for (const long wanted : {57l, 63l}) {
     CutCells<2> cut;
-    for (int y = 0; y < 200; ++y) cut.add({0, y}, 0.3);
+    for (int y = 0; y < 200; ++y) cut.add({0, y}, 0, 0.3, {0, 0});
     cut.choose(wanted);
     long kept = 0;
-    for (int y = 0; y < 200; ++y) kept += cut.has_particle({0, y});
+    for (int y = 0; y < 200; ++y) kept += cut.has_particle({0, y}, 0);
     EXPECT_EQ(kept, wanted);
   }
 }
