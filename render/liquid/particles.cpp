@@ -66,31 +66,29 @@ struct Particles::Layer {
 namespace {
 
 struct Disc {
-  double radius = 0;     // [m]; of a square, half its side
+  double radius = 0;     // [m]
   double hole = 0;       // of a ring, as part of the radius
   double edge = 1;       // where the darker edge begins, as part of the radius
   double shade = 0;      // how much darker it is
   double relief = 1e-3;  // height of the cone, in depths of the picture
   double layer = 0;      // discs of a greater layer cover those of a smaller one
-  bool square = false;
 };
 
 // Each disc is drawn as a flat cone: where two of one layer overlap they meet half-way, whichever is drawn first.
 vtkSmartPointer<vtkPointGaussianMapper> disc_mapper(const Disc& disc) {
   auto mapper = vtkSmartPointer<vtkPointGaussianMapper>::New();
   mapper->SetScaleFactor(disc.radius);
-  mapper->SetTriangleScale(disc.square ? 1.5f : 1.0f);
+  mapper->SetTriangleScale(1.0f);
   mapper->EmissiveOff();
   const std::string shader = fmt::format(
       "//VTK::Color::Impl\n"
       "vec2 at = abs(offsetVCVSOutput.xy);\n"
-      "float r = {};\n"
+      "float r = length(at);\n"
       "if (r > 1.0 || r < {:.4f}) discard;\n"
       "gl_FragDepth = gl_FragCoord.z + {:.6f} * r;\n"
       "float shade = 1.0 - {:.4f} * smoothstep({:.4f}, {:.4f}, r);\n"
       "ambientColor *= shade; diffuseColor *= shade;\n",
-      disc.square ? "max(at.x, at.y)" : "length(at)", disc.hole, disc.relief, disc.shade, disc.edge,
-      0.5 * (1 + disc.edge));
+      disc.hole, disc.relief, disc.shade, disc.edge, 0.5 * (1 + disc.edge));
   mapper->SetSplatShaderCode(shader.c_str());
   return mapper;
 }
@@ -142,12 +140,11 @@ void Particles::make_discs(vtkRenderer* renderer, const RunInfo& run, const Look
   const double shade = dots ? 0 : 0.28 * std::clamp((pixels - 2) / 4, 0.0, 1.0);
   const double half = run.spacing * (dots ? 0.28 : 0.5);
   const double radius = half * (1 + 0.5 * closed);
-  if (look.show_walls) {
-    const bool square = closed > 0;
-    // Squares stay upright; where the tank may roll they overlap, so that no gaps show between them up to 10 degrees.
-    const double overlap = look.view == ReferenceFrame::lab ? 1.16 : 1;
-    dummy_ = discs({.radius = half * overlap, .layer = -2, .square = square});
-    wall_ = discs({.radius = half, .layer = -1, .square = square});
+  if (look.show_walls && closed > 0) {
+    squares_ = std::make_unique<WallSquares>(renderer, run, layer_height(run), wall(Kind::wall), wall(Kind::dummy));
+  } else if (look.show_walls) {
+    dummy_ = discs({.radius = half, .layer = -2});
+    wall_ = discs({.radius = half, .layer = -1});
   }
   fluid_ = discs({.radius = radius, .edge = 0.8 / (1 + 0.5 * closed), .shade = shade});
   if (surface_mark(look) == SurfaceMark::rings) {
@@ -200,6 +197,7 @@ void Particles::show(const Frame& frame, Range range, const RigidState& pose, co
   }
   for (Layer* layer : layers)
     if (layer) layer->finish();
+  if (squares_) squares_->show(frame, pose);
 }
 
 }  // namespace seiche::render

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "render/liquid/smooth_field.hpp"
+#include "render/liquid/wall_squares.hpp"
 #include "render/look.hpp"
 #include "render/picture/colour_map.hpp"
 #include "render/picture/quantity.hpp"
@@ -42,6 +43,7 @@ class Particles {
   Quantity quantity_;
   ColourMap map_;
   std::unique_ptr<Layer> fluid_, marked_, surface_, wall_, dummy_;  // null when not shown
+  std::unique_ptr<WallSquares> squares_;                            // in place of wall_ and dummy_
 };
 
 }  // namespace seiche::render

@@ -20,6 +20,7 @@
 #include <cstdint>
 
 #include "render/picture/pose.hpp"
+#include "render/picture/tank_section.hpp"
 
 namespace seiche::render {
 
@@ -30,20 +31,22 @@ struct SmoothLiquid::Parts {
   vtkNew<vtkActor> actor;
 };
 
-SmoothLiquid::SmoothLiquid(vtkRenderer* renderer, const SmoothField& field, const ColourMap& map)
+SmoothLiquid::SmoothLiquid(vtkRenderer* renderer, const RunInfo& run, const SmoothField& field, const ColourMap& map)
     : map_(map), parts_(std::make_unique<Parts>()) {
   Parts& p = *parts_;
   const auto columns = static_cast<double>(field.columns()), rows = static_cast<double>(field.rows());
-  const double right = field.dx() * (columns - 1), top = field.dy() * (rows - 1);
   vtkNew<vtkPoints> points;
   vtkNew<vtkFloatArray> texture_coordinates;
   vtkNew<vtkCellArray> cells;
   texture_coordinates->SetNumberOfComponents(2);
-  cells->InsertNextCell(4);
-  for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-    cells->InsertCellPoint(points->InsertNextPoint(x * right, y * top, 0));
-    // A texel's colour is at its middle.
-    texture_coordinates->InsertNextTuple2((0.5 + x * (columns - 1)) / columns, (0.5 + y * (rows - 1)) / rows);
+  for (const auto& corners : TankSection(run).quadrilaterals(field.bottom() + field.dy() * (rows - 1))) {
+    cells->InsertNextCell(4);
+    for (const Eigen::Vector2d& r : corners) {
+      cells->InsertCellPoint(points->InsertNextPoint(r[0], r[1], 0));
+      // A texel's colour is at its middle.
+      texture_coordinates->InsertNextTuple2((0.5 + (r[0] - field.left()) / field.dx()) / columns,
+                                            (0.5 + (r[1] - field.bottom()) / field.dy()) / rows);
+    }
   }
   vtkNew<vtkPolyData> sheet;
   sheet->SetPoints(points);

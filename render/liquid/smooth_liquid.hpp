@@ -12,7 +12,7 @@ namespace seiche::render {
 /// The liquid of a 2-D picture as one coloured area: where the volume fraction is above a half.
 class SmoothLiquid {
  public:
-  SmoothLiquid(vtkRenderer* renderer, const SmoothField& field, const ColourMap& map);
+  SmoothLiquid(vtkRenderer* renderer, const RunInfo& run, const SmoothField& field, const ColourMap& map);
   ~SmoothLiquid();
 
   void show(const SmoothField& field, Range range, const RigidState& pose);

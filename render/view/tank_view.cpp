@@ -52,7 +52,7 @@ TankView::TankView(vtkRenderer* renderer, const RunInfo& run, const Look& look, 
   particles_.emplace(renderer, run, look, layout.scale, std::max(1.2, 0.08 * layout.font), finest);
   const bool smooth = look.style == Style::smooth, lined = surface_mark(look) == SurfaceMark::line;
   if (smooth || lined) field_.emplace(run, std::max(0.25 * run.spacing, 1 / layout.scale));
-  if (smooth) liquid_.emplace(renderer, *field_, ColourMap(look.colour_map));
+  if (smooth) liquid_.emplace(renderer, run, *field_, ColourMap(look.colour_map));
   if (lined) surface_.emplace(renderer, run, layout.font / layout.scale);
   if (look.show_arrows)
     arrows_.emplace(renderer, run, arrow_scale(run, look), layout.scale, arrow_font(layout.view.width, layout.font));

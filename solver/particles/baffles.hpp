@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -14,10 +15,11 @@ struct BaffleFace;
 /// In 2-D the part from one point to another, the thin wall on the left of the way.
 template <>
 struct BaffleFace<2> : Face<2> {
-  Vec<2> from, to;  ///< [m]
-  bool of_plate;    ///< the other side of the thin wall is in the same place
+  Vec<2> from, to;              ///< [m]
+  bool rim_at_from, rim_at_to;  ///< a plate ends there, in the liquid
 
-  BaffleFace(const Vec<2>& a, const Vec<2>& b, bool plate) : from(a), to(b), of_plate(plate) {
+  BaffleFace(const Vec<2>& a, const Vec<2>& b, bool rim_at_a, bool rim_at_b)
+      : from(a), to(b), rim_at_from(rim_at_a), rim_at_to(rim_at_b) {
     const Vec<2> way = (b - a).normalized();
     normal = {-way[1], way[0]};
     offset = normal.dot(a);
@@ -29,13 +31,17 @@ struct BaffleFace<2> : Face<2> {
     return from + std::clamp(way.dot(r - from) / way.squaredNorm(), 0.0, 1.0) * way;
   }
 
-  double distance_to_rim(const Vec<2>& r) const { return std::min((r - from).norm(), (r - to).norm()); }
+  double distance_to_rim(const Vec<2>& r) const {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    return std::min(rim_at_from ? (r - from).norm() : none, rim_at_to ? (r - to).norm() : none);
+  }
 
-  /// Whether a point of its plane is on it.
+  /// Whether a point of its plane is on it: no rim is, and sides that meet overlap, both by a millionth, so that both
+  /// sides of a plate agree, and nothing slips through between two of them.
   bool holds(const Vec<2>& r) const {
     const Vec<2> way = to - from;
-    const double along = way.dot(r - from);
-    return along >= 0 && along <= way.squaredNorm();
+    const double share = way.dot(r - from) / way.squaredNorm();
+    return share > (rim_at_from ? 1e-6 : -1e-6) && share < (rim_at_to ? 1 - 1e-6 : 1 + 1e-6);
   }
 };
 
@@ -44,7 +50,7 @@ template <>
 struct BaffleFace<3> : Face<3> {
   Vec<3> origin, u, v;                     ///< of the plane: a point [m], and unit vectors along it
   std::vector<std::vector<Vec<2>>> loops;  ///< (u, v) of their corners [m]
-  bool of_plate;
+  bool of_plate;                           ///< the other side is in the same place
 
   /// @param along_u, along_v unit vectors square to each other; the normal is along_u x along_v
   BaffleFace(const Vec<3>& at, const Vec<3>& along_u, const Vec<3>& along_v, std::vector<std::vector<Vec<2>>> round,
@@ -61,7 +67,9 @@ struct BaffleFace<3> : Face<3> {
     return holds(foot) ? foot : nearest_of_rim(r);
   }
 
-  double distance_to_rim(const Vec<3>& r) const { return (nearest_of_rim(r) - r).norm(); }
+  double distance_to_rim(const Vec<3>& r) const {
+    return of_plate ? (nearest_of_rim(r) - r).norm() : std::numeric_limits<double>::infinity();
+  }
 
   Vec<3> nearest_of_rim(const Vec<3>& r) const {
     const Vec<2> at = in_plane(r);
@@ -131,7 +139,7 @@ class Baffles {
   /// Whether the rim of a plate is nearer to r than that [m].
   bool is_at_rim(const Vec<D>& r, double distance) const {
     return std::any_of(faces_.begin(), faces_.end(),
-                       [&](const auto& face) { return face.of_plate && face.distance_to_rim(r) < distance; });
+                       [&](const auto& face) { return face.distance_to_rim(r) < distance; });
   }
 
   /// Whether any face is nearer to r than that [m].

@@ -14,11 +14,10 @@ struct CellPart {
   Vec<D> centroid;  ///< [m]
 };
 
-/// Calls f(centre, share) for each of 8^2 or 6^3 equal parts of a cell that lies inside the tank by a share of the
-/// cell.
+/// Calls f(centre, share) for each of parts^D equal parts of a cell that lies inside the tank, by a share of the cell.
 template <int D, class F>
-void each_small_part(const Shape<D>& tank, const Vec<D>& centre, double side, F f) {
-  constexpr int parts = D == 2 ? 8 : 6, all = D == 2 ? parts * parts : parts * parts * parts;
+void each_small_part(const Shape<D>& tank, const Vec<D>& centre, double side, int parts, F f) {
+  const int all = D == 2 ? parts * parts : parts * parts * parts;
   const double part = side / parts;
   for (int k = 0; k < all; ++k) {
     Vec<D> offset;
@@ -37,7 +36,7 @@ CellPart<D> part_inside(const Shape<D>& tank, const Vec<D>& centre, double side)
   if (beyond >= half_diagonal) return {0, centre};
   double sum = 0;
   Vec<D> moment = Vec<D>::Zero();
-  each_small_part(tank, centre, side, [&](const Vec<D>& r, double share) {
+  each_small_part(tank, centre, side, D == 2 ? 8 : 6, [&](const Vec<D>& r, double share) {
     sum += share;
     moment += share * (r - centre);
   });
@@ -55,13 +54,14 @@ std::vector<CellPart<D>> parts_inside(const Shape<D>& tank, const Baffles<D>* ba
   if (!baffles || whole.share == 0 || !baffles->is_near(centre, 0.5 * std::sqrt(D) * side)) return {whole};
   std::vector<CellPart<D>> parts;
   Vecs<D> seen_from;
-  each_small_part(tank, centre, side, [&](const Vec<D>& r, double share) {
+  each_small_part(tank, centre, side, D == 2 ? 40 : 6, [&](const Vec<D>& r, double share) {
     std::size_t k = 0;
     while (k < parts.size() && !baffles->sees(seen_from[k], r)) ++k;
     if (k == parts.size()) parts.push_back({0, Vec<D>::Zero()}), seen_from.push_back(r);
     parts[k].share += share;
     parts[k].centroid += share * r;
   });
+  if (parts.size() == 1) return {whole};
   for (CellPart<D>& part : parts) part.centroid /= part.share;
   return parts;
 }

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "tests/physics/runs.hpp"
 
 // Still water must stay still, at the hydrostatic pressure, whatever the tank's size.
@@ -34,6 +36,42 @@ TEST(StillTank, KeepsHydrostaticPressureIn2D) {
   EXPECT_LT(worst.corner, 0.01);
   EXPECT_LT(worst.speed, 0.03);
   EXPECT_LT(worst.level, 0.35 * p.particles.spacing);
+}
+
+Parameters baffled(double thickness, double top) {
+  Parameters p = still_tank(0.5, 0.2, 0.3, 0.01);
+  p.tank.baffles = {{.points = {{0.25, 0}, {0.25, top}}, .thickness = thickness}};
+  return p;
+}
+
+TEST(StillTank, KeepsHydrostaticPressureBesideBaffles) {
+  for (const double thickness : {0.0, 0.02}) {
+    const Worst worst = watch(baffled(thickness, 0.1), 0.4, 1.5);
+    EXPECT_LT(worst.pressure_error, 0.001);
+    EXPECT_LT(worst.corner, 0.01);
+    EXPECT_LT(worst.speed, thickness > 0 ? 0.012 : 0.025);
+    EXPECT_LT(worst.level, 0.001);
+  }
+}
+
+// Nothing passes a divider, however the tank moves.
+TEST(Baffle, LetsNothingThrough) {
+  for (const double thickness : {0.0, 0.01}) {
+    Parameters p = baffled(thickness, 0.3);
+    p.motion = {.type = MotionType::harmonic, .harmonic = {DegreeOfFreedom::surge, 0.03, 1.7}};
+    const auto simulation = make_simulation(p, 0);
+    std::vector<bool> left;
+    run(*simulation, 0.05, 1.5, [&](const Frame& frame) {
+      for (std::size_t i = 0; i < frame.size(); ++i) {
+        if (frame.kind[i] != Kind::fluid) continue;
+        const bool is_left = frame.position[i][0] < 0.25;
+        if (frame.id[i] >= left.size()) left.resize(frame.id[i] + 1, is_left);
+        if (frame.time == 0) left[frame.id[i]] = is_left;
+        EXPECT_EQ(left[frame.id[i]], is_left) << frame.time << " s, thickness " << thickness;
+      }
+    });
+    EXPECT_EQ(simulation->statistics().leaked, 0);
+  }
 }
 
 // Ghost walls hold still water whenever particles move.

@@ -57,21 +57,22 @@ Baffled::Baffled(std::shared_ptr<const Shape<2>> tank, const std::vector<BaffleL
   for (const Side& side : sides_) {
     const Vec<2> beyond = reach * (side.to - side.from).normalized();
     faces.emplace_back(side.from_wall ? Vec<2>(side.from - beyond) : side.from,
-                       side.to_wall ? Vec<2>(side.to + beyond) : side.to,
-                       solid_of_[static_cast<std::size_t>(side.baffle)] < 0);
+                       side.to_wall ? Vec<2>(side.to + beyond) : side.to, side.from_rim, side.to_rim);
   }
   faces_ = std::make_shared<const Baffles<2>>(std::move(faces));
 }
 
 void Baffled::add_sides(int baffle, double l0) {
   const auto& outline = outlines_[static_cast<std::size_t>(baffle)];
+  const bool is_plate = solid_of_[static_cast<std::size_t>(baffle)] < 0;
   const auto is_inside = [&](const Vec<2>& r) { return tank_->nearest(r).distance < 0; };
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const Vec<2>&a = outline[k], &b = outline[(k + 1) % outline.size()];
     const int parts = std::max(4, static_cast<int>(std::ceil(4 * (b - a).norm() / l0)));
-    Side side{a, b, false, false, baffle};
-    const auto keep = [&] {
-      if ((side.to - side.from).norm() > touching * l0) sides_.push_back(side);
+    const auto is_rim = [&](std::size_t corner) { return is_plate && (corner == 0 || corner == outline.size() / 2); };
+    Side side{a, b, false, false, is_rim(k), is_rim((k + 1) % outline.size()), baffle};
+    const auto keep = [&](const Side& found) {
+      if ((found.to - found.from).norm() > touching * l0) sides_.push_back(found);
     };
     for (int m = 0; m < parts; ++m) {
       const Vec<2> here = a + (b - a) * m / parts, next = a + (b - a) * (m + 1) / parts;
@@ -79,15 +80,16 @@ void Baffled::add_sides(int baffle, double l0) {
       if (is_inside(next)) {
         side.from = wall_between(*tank_, next, here);
         side.from_wall = true;
+        side.from_rim = false;
         continue;
       }
-      side.to = wall_between(*tank_, here, next);
-      side.to_wall = true;
-      keep();
-      side.to = b;
-      side.to_wall = false;
+      Side ended = side;
+      ended.to = wall_between(*tank_, here, next);
+      ended.to_wall = true;
+      ended.to_rim = false;
+      keep(ended);
     }
-    if (is_inside(b)) keep();
+    if (is_inside(b)) keep(side);
   }
 }
 

@@ -34,10 +34,11 @@ class Baffled final : public Shape<2> {
   std::string description() const override { return tank_->description(); }
 
  private:
-  /// A side of a baffle within the tank, and whether each end is on the tank's wall.
+  /// A side of a baffle within the tank, and what each end is: on the tank's wall, a plate's rim, or none of them.
   struct Side {
     Vec<2> from, to;
     bool from_wall, to_wall;
+    bool from_rim, to_rim;  ///< whether a plate ends there
     int baffle;
   };
 

@@ -27,7 +27,7 @@ Vecs<2> points_along(const std::vector<Vec<2>>& line, double l0) {
 double distance_to(const std::vector<Vec<2>>& line, const Vec<2>& r) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k + 1 < line.size(); ++k)
-    least = std::min(least, (BaffleFace<2>(line[k], line[k + 1], false).nearest(r) - r).norm());
+    least = std::min(least, (BaffleFace<2>(line[k], line[k + 1], false, false).nearest(r) - r).norm());
   return least;
 }
 
