@@ -49,6 +49,9 @@ std::string periods_text(const Parameters& p) {
   return text.empty() || body ? text : text + " s";
 }
 
+/// To a nanometre, so that what is nearly 0 reads as 0.
+double rounded(double length) { return std::round(length * 1e9) / 1e9 + 0.0; }
+
 /// A line of what is told, none where there is nothing.
 std::string line(const char* what, const std::string& told) {
   return told.empty() ? "" : fmt::format("  {:<8}{}\n", what, told);
@@ -66,7 +69,8 @@ std::string check_text(const Scene& scene) {
   const double liquid = p.fluid.column > 0 ? measures.liquid * p.fluid.column / wall.size()[0] : measures.liquid;
   std::string ends;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(p.dimension()); ++axis)
-    ends += fmt::format("{}{} from {:.6g} to {:.6g}", axis > 0 ? ", " : "", "xyz"[axis], low[axis], high[axis]);
+    ends += fmt::format("{}{} from {:.6g} to {:.6g}", axis > 0 ? ", " : "", "xyz"[axis], rounded(low[axis]),
+                        rounded(high[axis]));
   const std::string section = p.tank.section ? fmt::format(", in the plane {}", text_of(*p.tank.section)) : "";
   const std::string step = p.time.step > 0 ? fmt::format(" in steps of {:g} s", p.time.step) : "";
   return fmt::format(

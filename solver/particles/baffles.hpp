@@ -107,7 +107,7 @@ class Baffles {
 
   const std::vector<BaffleFace<D>>& faces() const { return faces_; }
 
-  /// The first face that the way enters, -1 if it enters none.
+  /// The first face that the way enters, of several in one place the one that comes first here; -1 if it enters none.
   int entered(const Vec<D>& from, const Vec<D>& to) const {
     double first = std::numeric_limits<double>::infinity();
     int found = -1;
@@ -115,7 +115,7 @@ class Baffles {
       const double before = -faces_[k].behind(from), after = faces_[k].behind(to);
       if (before < 0 || after <= 0) continue;
       const double share = before / (before + after);
-      if (!(share < first) || !faces_[k].holds(from + share * (to - from))) continue;
+      if (!(share < first - 1e-9) || !faces_[k].holds(from + share * (to - from))) continue;
       first = share;
       found = static_cast<int>(k);
     }

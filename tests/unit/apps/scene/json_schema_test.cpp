@@ -70,7 +70,8 @@ void expect_known(const toml::table& table, const json& schema, const std::strin
     const json& known = schema.at("properties").at(name);
     if (const toml::table* section = node.as_table()) expect_known(*section, known, place);
     if (const toml::array* rows = node.as_array())
-      for (const toml::node& row : *rows) expect_known(*row.as_table(), known.at("items"), place);
+      for (const toml::node& row : *rows)
+        if (const toml::table* keys = row.as_table()) expect_known(*keys, known.at("items"), place);
   }
 }
 

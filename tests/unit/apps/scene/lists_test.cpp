@@ -40,9 +40,10 @@ TEST(Lists, EachKeySetsItsOwnMemberOfItsOwnTableAndNoOther) {
       list.reset(fresh, 2);
       const auto* range = std::get_if<Range>(&member.rule);
       const auto* choices = std::get_if<Choices>(&member.rule);
-      const Value value = range     ? Value(range->high)
-                          : choices ? Value(std::string(choices->back()))
-                                    : Value(std::string("other"));
+      const Value value = range                                        ? Value(range->high)
+                          : choices                                    ? Value(std::string(choices->back()))
+                          : std::holds_alternative<Pairs>(member.rule) ? Value(Points{{0, 1}, {2, 3}})
+                                                                       : Value(std::string("other"));
       EXPECT_EQ(assign(list, member, scene, 1, value), std::nullopt) << title(list, member);
       for (const Member& other : list.members) {
         EXPECT_EQ(value_of(other, scene, 0), value_of(other, fresh, 0)) << title(list, member);
@@ -50,6 +51,19 @@ TEST(Lists, EachKeySetsItsOwnMemberOfItsOwnTableAndNoOther) {
             << title(list, member);
       }
     }
+}
+
+TEST(Lists, ATankHasBaffles) {
+  const std::string text =
+      "[[tank.baffle]]\npoints = [[0.3, 0], [0.3, 0.1]]\nthickness = 0.02\n[[tank.baffle]]\npoints = [[0.1, 0.2], "
+      "[0.2, "
+      "0.2]]\n[tank]\nshape = \"box\"\n";
+  const auto baffles = parse_scene(text, "x.toml", {}).parameters.tank.baffles;
+  ASSERT_EQ(baffles.size(), 2u);
+  EXPECT_EQ(baffles[0].points, (Points{{0.3, 0}, {0.3, 0.1}}));
+  EXPECT_EQ(baffles[0].thickness, 0.02);
+  EXPECT_EQ(baffles[1].points.size(), 2u);
+  EXPECT_TRUE(parse_scene(text, "x.toml", {parse_set("tank.baffle=[]")}).parameters.tank.baffles.empty());
 }
 
 TEST(Lists, TablesReachTheirMembersInOrder) {
