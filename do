@@ -82,6 +82,14 @@ gallery() {
     --set look.curves=none
   picture smooth pan2008 2.9 --spacing 0.01 --set look.style=smooth
   picture box quick 0.6 --set tank.width=0.2
+  picture membrane membrane 17 --set look.style=smooth --set look.curves=none
+  picture tanker tanker 2.4 --set look.style=smooth --set look.curves=none
+  picture lying-cylinder lying-cylinder 2.3 --set look.curves=none
+  picture baffles baffles 2 --set look.quantity=vorticity --set look.range=-20,20 --set look.curves=none
+  picture sphere sphere 2.4 --set look.curves=none
+  picture upright-cylinder upright-cylinder 2.5 --set look.curves=none
+  picture rocket rocket 3 --set look.curves=none
+  picture stl-tank stl-tank 1.5 --set look.curves=none
   build/seiche compare scenes/pan2008-paper.toml --vary method.kernel=KF1,KF2,KF3,KF4,KF5 --spacing 0.01 \
     --size 960x540 -o out/gallery/kernels --overwrite
   cp "out/gallery/kernels/frames/$(ls out/gallery/kernels/frames | tail -n 1)" scenes/gallery/kernels.png

@@ -19,10 +19,9 @@ View::View(int dimension, const Bounds& bounds) {
     up_ = {0, 1, 0};
     back_ = {0, 0, 1};
   } else {
-    // Equal angles with all three axes, seen from the far end of each.
     right_ = {std::sqrt(0.5), 0, -std::sqrt(0.5)};
     up_ = {-std::sqrt(1 / 6.0), std::sqrt(2 / 3.0), -std::sqrt(1 / 6.0)};
-    back_ = {std::sqrt(1 / 3.0), std::sqrt(1 / 3.0), std::sqrt(1 / 3.0)};
+    back_ = towards_camera;
   }
   low_ = {1e300, 1e300};
   high_ = {-1e300, -1e300};

@@ -14,6 +14,9 @@ struct Bounds {
   Double3 low{}, high{};
 };
 
+/// In 3-D from anywhere: equal angles with all three axes, seen from the far end of each.
+inline const Double3 towards_camera{std::sqrt(1 / 3.0), std::sqrt(1 / 3.0), std::sqrt(1 / 3.0)};
+
 /// A parallel camera: from the front in 2-D, isometric from above in 3-D.
 class View {
  public:

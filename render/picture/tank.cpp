@@ -2,7 +2,6 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
-#include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -12,6 +11,9 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+
+#include "render/picture/camera.hpp"
+#include "render/picture/tank_edges.hpp"
 
 namespace seiche::render {
 namespace {
@@ -47,6 +49,17 @@ void outline_2d(const SurfaceMesh& tank, double line, vtkPolyData* shape) {
   shape->SetPolys(cells);
 }
 
+void edges_3d(const SurfaceMesh& tank, vtkPolyData* shape) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  for (const auto& edge : tank_edges(tank, Eigen::Vector3d(towards_camera.data()))) {
+    lines->InsertNextCell(2);
+    for (const Eigen::Vector3d& end : edge) lines->InsertCellPoint(points->InsertNextPoint(end.data()));
+  }
+  shape->SetPoints(points);
+  shape->SetLines(lines);
+}
+
 void faces_3d(const SurfaceMesh& tank, vtkPolyData* shape) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
@@ -74,13 +87,9 @@ vtkSmartPointer<vtkActor> tank_outline(const RunInfo& run, double line, Rgb colo
     outline_2d(run.tank, line, shape);
     mapper->SetInputData(shape);
   } else {
-    faces_3d(run.tank, shape);
-    vtkNew<vtkFeatureEdges> edges;  // where faces meet at an angle, and those of an open top
-    edges->SetInputData(shape);
-    edges->ColoringOff();
-    edges->NonManifoldEdgesOff();
+    edges_3d(run.tank, shape);
     vtkNew<vtkTubeFilter> tubes;
-    tubes->SetInputConnection(edges->GetOutputPort());
+    tubes->SetInputData(shape);
     tubes->SetRadius(line / 2);
     tubes->SetNumberOfSides(12);
     tubes->CappingOn();

@@ -10,6 +10,7 @@ std::vector<Case> all_cases() {
       {"standing-wave", "period and decay of a free wave against the dispersion relation and 2 nu k^2", standing_wave},
       {"dam-break", "front of a collapsing column against the experiment of Martin and Moyce", dam_break},
       {"roll", "a rolling tank's elevation against linear potential theory", roll},
+      {"tanks", "tanks of other shapes and baffles: still water, and the first period against finite elements", tanks},
       {"paper", "which kernels of the paper's own scheme last", paper},
   };
 }

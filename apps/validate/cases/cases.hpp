@@ -14,5 +14,6 @@ Findings standing_wave(Bench& bench);
 Findings dam_break(Bench& bench);
 Findings roll(Bench& bench);
 Findings paper(Bench& bench);
+Findings tanks(Bench& bench);
 
 }  // namespace seiche::apps::validate

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "apps/validate/cases/cases.hpp"
+#include "apps/validate/hydrostatics.hpp"
 #include "apps/validate/surface.hpp"
 #include "apps/validate/surface_flags.hpp"
 #include "solver/make_simulation.hpp"
@@ -25,21 +26,6 @@ struct StillTank {
   SurfaceFlags flags;   ///< at its own times
 };
 
-/// Root mean square over the fluid of p - rho g (depth - y), over rho g depth [-].
-double hydrostatic_error(const Frame& frame, const RunInfo& run) {
-  const double weight = run.density * run.gravity;
-  std::vector<double> errors;
-  for (std::size_t i = 0; i < frame.size(); ++i)
-    if (frame.kind[i] == Kind::fluid) errors.push_back(frame.pressure[i] - weight * (run.depth - frame.position[i][1]));
-  return rms(errors) / (weight * run.depth);
-}
-
-double fastest(const Frame& frame) {
-  double most = 0;
-  for (const Float3& v : frame.velocity) most = std::max<double>(most, std::hypot(v[0], v[1]));
-  return most;
-}
-
 double greatest(const Series& series) { return *std::max_element(series.y.begin(), series.y.end()); }
 
 StillTank make_run(Bench& bench, const std::string& scene) {
@@ -54,7 +40,7 @@ StillTank make_run(Bench& bench, const std::string& scene) {
   const auto look = [&tank](const Frame& frame, const RunInfo& run) {
     for (Series* series : {&tank.error, &tank.speed}) series->t.push_back(frame.time / tank.froude);
     tank.error.y.push_back(100 * hydrostatic_error(frame, run));
-    tank.speed.y.push_back(1000 * fastest(frame) / tank.froude);
+    tank.speed.y.push_back(1000 * greatest_speed(frame) / tank.froude);
     tank.flags.see(frame);
   };
   tank.recording = bench.run(scene,
