@@ -48,7 +48,8 @@ struct NaturalMode {
   std::string wave;  ///< as in "across", "1 half wave along z", "1 wave round the axis"
 };
 
-/// The first natural modes of the liquid by linear theory, the slowest first; none without gravity, of a dam break, and where no section of the tank gives them. Throws BadParameters.
+/// The first natural modes of the liquid by linear theory, the slowest first; none without gravity, of a dam break, and
+/// where no section of the tank gives them. Throws BadParameters.
 std::vector<NaturalMode> natural_modes(const Parameters& parameters, int count);
 
 /// What pulls the liquid: gravity, or the tank's greatest acceleration where that is more [m/s^2].

@@ -83,9 +83,10 @@ std::string check_text(const Scene& scene) {
       "  method  {} preset, kernel {}, spacing {:g} m: some {:.0f} fluid particles\n"
       "  run     {:g} s{} at {:g} frames a second\n",
       scene.file, name(p.tank.shape), section, p.tank.closed ? "closed" : "open", ends, measures.volume,
-      body ? "m^3" : "m^2", measures.area, body ? "m^2" : "m", origin_of(p.tank), line("mended", mended_of(p)), low[1] + p.fluid.depth, p.fluid.depth,
-      liquid, body ? "m^3" : "m^2", 100 * liquid / measures.volume, line("waves", periods_text(p)), motion_text(p.motion), name(p.preset),
-      p.method.kernel, l0, liquid / std::pow(l0, p.dimension()), p.time.end, step, scene.output.frame_rate);
+      body ? "m^3" : "m^2", measures.area, body ? "m^2" : "m", origin_of(p.tank), line("mended", mended_of(p)),
+      low[1] + p.fluid.depth, p.fluid.depth, liquid, body ? "m^3" : "m^2", 100 * liquid / measures.volume,
+      line("waves", periods_text(p)), motion_text(p.motion), name(p.preset), p.method.kernel, l0,
+      liquid / std::pow(l0, p.dimension()), p.time.end, step, scene.output.frame_rate);
 }
 
 }  // namespace seiche::apps

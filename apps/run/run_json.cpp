@@ -44,7 +44,8 @@ std::string series_key(const DegreeOfFreedomRow& row) { return fmt::format("{}_{
 
 Json mesh_json(const SurfaceMesh& mesh) {
   Json patches = Json::array();
-  for (const SurfaceMesh::Patch& patch : mesh.patches) patches.push_back({{"name", patch.name}, {"faces", patch.faces}});
+  for (const SurfaceMesh::Patch& patch : mesh.patches)
+    patches.push_back({{"name", patch.name}, {"faces", patch.faces}});
   return {{"points_m", mesh.points}, {"patches", patches}};
 }
 

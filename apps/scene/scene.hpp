@@ -26,10 +26,10 @@ struct Scene {
   Parameters parameters;
   /// What may be said otherwise in a scene file: parse_scene puts it into the parameters, and then it is as here.
   struct {
-    double fill = 0;         ///< share of the tank's volume that is liquid
-    double fill_height = 0;  ///< still level above the tank's lowest point, over the tank's height
-    double volume = 0;       ///< of the liquid [m^2 in 2-D, m^3]
-    std::string file{};      ///< of the tank's points, or of its mesh: that stays here, and `unit`
+    double fill = 0;                   ///< share of the tank's volume that is liquid
+    double fill_height = 0;            ///< still level above the tank's lowest point, over the tank's height
+    double volume = 0;                 ///< of the liquid [m^2 in 2-D, m^3]
+    std::string file{};                ///< of the tank's points, or of its mesh: that stays here, and `unit`
     std::optional<LengthUnit> unit{};  ///< of the mesh's file
   } given{};
   Output output;

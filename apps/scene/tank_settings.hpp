@@ -15,7 +15,8 @@ void put_shape(const std::vector<Setting>& settings, Scene& scene);
 /// Complains where a file gives several. A tank that is no box has no level of its own.
 void put_one_level(const std::vector<Setting>& settings, Scene& scene, std::vector<Complaint>& complaints);
 
-/// Reads the tank's points or its mesh where they are in a file, and finds the depth where the scene tells a share or a volume.
+/// Reads the tank's points or its mesh where they are in a file, and finds the depth where the scene tells a share or a
+/// volume.
 /// @param folder of the scene
 /// Throws BadScene or BadParameters.
 void settle_tank(Scene& scene, const std::filesystem::path& folder);

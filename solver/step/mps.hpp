@@ -32,6 +32,7 @@ class Mps final : public Simulation {
 
  private:
   void count_kinds();
+  void settle();
   void start_at_rest_in_lab();
 
   void step_move_first(double dt);

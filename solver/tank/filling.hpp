@@ -20,6 +20,12 @@ inline double longest_support(const Parameters::Method& m) {
 /// support of a wall particle.
 inline int wall_layers(const Parameters::Method& m) { return 1 + static_cast<int>(std::floor(longest_support(m))); }
 
+/// rho g (level - y) [Pa]
+template <int D>
+double still_pressure(const Parameters& p, double level, const Vec<D>& r) {
+  return p.fluid.density * p.gravity * (level - r[1]);
+}
+
 /// A place no nearer to the wall than that [m]: the centroid of a sliver of liquid lies at the wall, or, where the wall
 /// is curved, may lie just behind it.
 template <int D>
@@ -77,7 +83,7 @@ void add_liquid(const Parameters& p, const Shape<D>& tank, State<D>& s) {
     Vec<D> r = inside.share < 1 ? off_the_wall(tank, inside.centroid, 0.1 * l0) : inside.centroid;
     if (s.baffles) r = off_baffles(*s.baffles, r, 0.1 * l0);
     s.add(r, Kind::fluid, Vec<D>::Zero());
-    s.pressure.back() = p.fluid.density * p.gravity * (level - r[1]);
+    s.pressure.back() = still_pressure(p, level, r);
   }
 }
 

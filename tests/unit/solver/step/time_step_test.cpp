@@ -24,7 +24,8 @@ TEST(TimeStep, OfFastFluidIsEquation18) {
 
 TEST(TimeStep, OfSlowFluidIsCappedByTheWave) {
   EXPECT_DOUBLE_EQ(step_cap(water(), wave), 0.1 * 0.01 / 2);
-  for (double fastest : {0., 1e-9, 1., 1.999}) EXPECT_DOUBLE_EQ(step_rule(water(), wave, fastest), 0.1 * 0.01 / 2) << fastest;
+  for (double fastest : {0., 1e-9, 1., 1.999})
+    EXPECT_DOUBLE_EQ(step_rule(water(), wave, fastest), 0.1 * 0.01 / 2) << fastest;
   EXPECT_LT(step_rule(water(), wave, 2.001), 0.1 * 0.01 / 2);
 }
 
