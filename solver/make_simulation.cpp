@@ -13,6 +13,7 @@
 #include "solver/tank/body.hpp"
 #include "solver/tank/level.hpp"
 #include "solver/tank/measures.hpp"
+#include "solver/tank/pools.hpp"
 #include "solver/tank/shape.hpp"
 
 namespace seiche {
@@ -28,12 +29,12 @@ Parameters::Tank initial_tank(TankShape shape) { return solver::initial_tank(sha
 void check_tank(const Parameters& p) { solver::check_shape(p); }
 
 TankMeasures tank_measures(const Parameters& p) {
-  const SurfaceMesh wall = solver::wall_surface(p);
-  return {solver::volume_of(wall), solver::area_of(wall), solver::volume_below(wall, wall.low()[1] + p.fluid.depth)};
+  const SurfaceMesh wall = solver::on_level_axes(solver::wall_surface(p), p.gravity);
+  return {solver::volume_of(wall), solver::area_of(wall), wall.size()[1], solver::liquid_volume(p)};
 }
 
 double depth_holding(const Parameters& p, double volume) {
-  const SurfaceMesh wall = solver::wall_surface(p);
+  const SurfaceMesh wall = solver::on_level_axes(solver::wall_surface(p), p.gravity);
   return solver::level_holding(wall, volume) - wall.low()[1];
 }
 
@@ -43,7 +44,7 @@ std::string mended_of(const Parameters& p) {
 }
 
 std::vector<NaturalMode> natural_modes(const Parameters& p, int count) {
-  if (p.gravity == 0 || p.fluid.column > 0) return {};
+  if (p.gravity.size() == 0 || p.fluid.column > 0 || !p.fluid.seeds.empty()) return {};
   std::vector<NaturalMode> modes;
   for (const solver::modes::TankMode& mode : solver::modes::tank_modes(p, count))
     modes.push_back({2 * std::numbers::pi / mode.frequency, mode.wave});

@@ -32,7 +32,8 @@ void check_tank(const Parameters& parameters);
 struct TankMeasures {
   double volume;  ///< of all the tank [m^2 in 2-D, m^3]
   double area;    ///< of its wall [m in 2-D, m^2]
-  double liquid;  ///< volume below the still level
+  double height;  ///< against gravity [m]
+  double liquid;  ///< volume of the liquid, of a column that of a whole tank [m^2, m^3]
 };
 TankMeasures tank_measures(const Parameters& parameters);
 
@@ -48,8 +49,8 @@ struct NaturalMode {
   std::string wave;  ///< as in "across", "1 half wave along z", "1 wave round the axis"
 };
 
-/// The first natural modes of the liquid by linear theory, the slowest first; none without gravity, of a dam break, and
-/// where no section of the tank gives them. Throws BadParameters.
+/// The first natural modes of the liquid by linear theory, the slowest first; none without gravity, of a dam break, of
+/// chambers filled to levels of their own, and where no section of the tank gives them. Throws BadParameters.
 std::vector<NaturalMode> natural_modes(const Parameters& parameters, int count);
 
 /// What pulls the liquid: gravity, or the tank's greatest acceleration where that is more [m/s^2].

@@ -6,6 +6,7 @@
 
 #include "solver/choice.hpp"
 #include "solver/degree_of_freedom.hpp"
+#include "solver/gravity.hpp"
 #include "solver/section_plane.hpp"
 #include "solver/surface_mesh.hpp"
 
@@ -15,13 +16,19 @@ namespace seiche {
 /// ranges; `Simulation` checks only what concerns several members at once.
 struct Parameters {
   Preset preset = Preset::stabilised;
-  double gravity = 9.81;  ///< [m/s^2], along -y; 0: none
+  Gravity gravity;
 
   struct Fluid {
     double density = 1000;    ///< rho [kg/m^3]
     double viscosity = 1e-6;  ///< nu, kinematic [m^2/s]
     double depth = 0.2;       ///< still level above the lowest point of the tank [m]
     double column = 0;        ///< length of the liquid from the left wall [m]; 0: the whole tank (a dam break sets it)
+    /// Liquid in one chamber of the tank.
+    struct Seed {
+      double x = 0, y = 0, z = 0;  ///< a point in it [m]
+      double depth = 0;            ///< its still level above the lowest point of the tank [m]
+    };
+    std::vector<Seed> seeds{};  ///< none: all that lies below the level is liquid
     double wave_amplitude = 0;  ///< of a standing wave that the liquid starts in, its surface flat [m]; 0: none
     int wave_mode = 1;          ///< half waves of it along the tank
   } fluid;

@@ -21,7 +21,7 @@ struct RunInfo {
   bool closed = true;
   double depth = 0;             ///< of the still liquid [m]
   double density = 0;           ///< [kg/m^3]
-  double gravity = 0;           ///< [m/s^2]
+  double gravity = 0;           ///< its size [m/s^2]
   double pull = 0;              ///< gravity, or the tank's greatest acceleration where that is more [m/s^2]
   double spacing = 0;           ///< l0 [m]
   Double3 excursion{};          ///< greatest displacement of any point of the tank on each axis [m]

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <vector>
 
 #include "solver/make_simulation.hpp"
 
@@ -52,6 +53,20 @@ std::string periods_text(const Parameters& p) {
 /// To a nanometre, so that what is nearly 0 reads as 0.
 double rounded(double length) { return std::round(length * 1e9) / 1e9 + 0.0; }
 
+/// As in "to y = 0.1 m, 0.1 m deep", of chambers with levels of their own each after the other.
+std::string levels_text(const Parameters& p, double bottom) {
+  std::vector<double> depths;
+  for (const auto& seed : p.fluid.seeds) depths.push_back(seed.depth);
+  if (depths.empty()) depths.push_back(p.fluid.depth);
+  std::string text;
+  for (const double depth : depths) {
+    if (!text.empty()) text += "; ";
+    if (p.gravity.is_upright()) text += fmt::format("to y = {:.6g} m, ", bottom + depth);
+    text += fmt::format("{:.5g} m deep", depth);
+  }
+  return p.gravity.is_upright() ? text : text + ", its surface square to gravity";
+}
+
 /// A line of what is told, none where there is nothing.
 std::string line(const char* what, const std::string& told) {
   return told.empty() ? "" : fmt::format("  {:<8}{}\n", what, told);
@@ -77,14 +92,14 @@ std::string check_text(const Scene& scene) {
       "{}: a good scene\n"
       "  tank    {}{}, {}: {} m; {:.5g} {}, wall {:.5g} {}; origin: {}\n"
       "{}"
-      "  liquid  to y = {:.6g} m, {:.5g} m deep: {:.5g} {}, {:.3g} % of the tank\n"
+      "  liquid  {}: {:.5g} {}, {:.3g} % of the tank\n"
       "{}"
       "  motion  {}\n"
       "  method  {} preset, kernel {}, spacing {:g} m: some {:.0f} fluid particles\n"
       "  run     {:g} s{} at {:g} frames a second\n",
       scene.file, name(p.tank.shape), section, p.tank.closed ? "closed" : "open", ends, measures.volume,
       body ? "m^3" : "m^2", measures.area, body ? "m^2" : "m", origin_of(p.tank), line("mended", mended_of(p)),
-      low[1] + p.fluid.depth, p.fluid.depth, liquid, body ? "m^3" : "m^2", 100 * liquid / measures.volume,
+      levels_text(p, low[1]), liquid, body ? "m^3" : "m^2", 100 * liquid / measures.volume,
       line("waves", periods_text(p)), motion_text(p.motion), name(p.preset), p.method.kernel, l0,
       liquid / std::pow(l0, p.dimension()), p.time.end, step, scene.output.frame_rate);
 }

@@ -26,7 +26,7 @@ Series finite(const render::Series& series) {
 
 // 0.5 to 3 s, before which a start rings and after which waves may break; all of a run that ends within a second.
 std::optional<Share> noise_of(const render::Series& pressure, const RunInfo& run) {
-  const double weight = run.density * std::abs(run.gravity) * run.depth;
+  const double weight = run.density * run.gravity * run.depth;
   if (pressure.time.empty() || weight == 0) return {};
   const double end = pressure.time.back();
   Share noise{0, end < 1 ? pressure.time.front() : 0.5, std::min(end, 3.0)};

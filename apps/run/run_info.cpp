@@ -21,7 +21,7 @@ RunInfo run_info(const Scene& scene) {
   info.closed = p.tank.closed;
   info.depth = p.fluid.depth;
   info.density = p.fluid.density;
-  info.gravity = p.gravity;
+  info.gravity = p.gravity.size();
   info.pull = greatest_pull(p);
   info.spacing = p.particles.spacing;
   info.excursion = motion_extent(p);

@@ -42,7 +42,7 @@ Json key_schema(const Key& key, const Value& value) {
   if (const auto* range = std::get_if<Range>(&key.rule)) add_range(schema, *range);
   if (const auto* rule = std::get_if<OneOr>(&key.rule)) {
     schema.erase("type");
-    schema["oneOf"] = {number_in(rule->range), array_of(number_in(rule->range), rule->count)};
+    schema["oneOf"] = {number_in(rule->range), array_of(number_in(rule->range_in_list()), rule->count)};
   }
   if (const auto* rule = std::get_if<Pairs>(&key.rule)) schema["items"] = array_of(number_in(rule->range), 2);
   if (const auto* choices = std::get_if<Choices>(&key.rule)) schema["enum"] = *choices;

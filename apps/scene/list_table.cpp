@@ -37,6 +37,18 @@ ChosenInRow chosen() {
   > (), names<decltype(Scene().rows[0].member)>()
 const std::vector<List>& lists() {
   static const std::vector<List> table{
+      {"fluid",
+       "seed",
+       "liquid in one chamber of the tank: what lies below its level and is open to that point; none: all that lies "
+       "below the level of [fluid]",
+       ROWS(parameters.fluid.seeds),
+       {
+           {"x", "m", AT(parameters.fluid.seeds, x), Range{-huge, huge}, ""},
+           {"y", "m", AT(parameters.fluid.seeds, y), Range{-huge, huge}, ""},
+           {"z", "m", AT(parameters.fluid.seeds, z), Range{-huge, huge}, ""},
+           {"depth", "m", AT(parameters.fluid.seeds, depth), Range{0, huge},
+            "its still level above the lowest point of the tank; 0: that of [fluid]"},
+       }},
       {"motion",
        "harmonic",
        "a term amplitude sin(2 pi frequency t + phase) of motion.type = \"harmonics\"",

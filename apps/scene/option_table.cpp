@@ -135,6 +135,16 @@ Several chamfer() {
           }};
 }
 
+Numbers get_gravity(const Scene& s) {
+  const Gravity& g = s.parameters.gravity;
+  return g.is_upright() ? Numbers{g.size()} : Numbers{g[0], g[1], g[2]};
+}
+
+void set_gravity(Scene& s, const Numbers& numbers) {
+  s.parameters.gravity =
+      numbers.size() == 1 ? Gravity(numbers[0]) : Gravity(std::array{numbers[0], numbers[1], numbers[2]});
+}
+
 const Written section{get_section, set_section, "none, or a plane as in x=0 or z=0.1"};
 const Written size{get_size, set_size, sizes};
 const Written range{get_range, set_range, "scene, frame, run, or min,max as in -100,3000, in the quantity's unit"};
@@ -148,7 +158,9 @@ const Written curves{get_curves, set_curves, "auto, none, or up to 3 sensors, as
 std::vector<Option> make_options() {
   std::vector<Option> table{
       {"", "preset", "", CHOICE(parameters.preset), "scheme that [method], pressure.solver and courant start from"},
-      {"", "gravity", "m/s^2", AT(parameters.gravity), Range{0, 100}, "downwards; 0: none"},
+      {"", "gravity", "m/s^2", Several{get_gravity, set_gravity},
+       OneOr{{0, greatest_gravity}, 3, Range{-greatest_gravity, greatest_gravity}},
+       "along -y, 0: none; or its parts along x, y and z of the tank: a tank that leans starts with a level surface"},
 
       {"fluid", "density", "kg/m^3", AT(parameters.fluid.density), Range{0, 1e5, true}, "rho"},
       {"fluid", "viscosity", "m^2/s", AT(parameters.fluid.viscosity), Range{0, 1}, "nu, kinematic"},

@@ -55,6 +55,18 @@ void read_file(Scene& scene, const std::filesystem::path& folder) {
   throw BadParameters(fmt::format("tank.file means nothing to a tank.shape = \"{}\"; leave it out", name(shape)));
 }
 
+/// Each seed gets its depth, and the liquid the greatest of them.
+void settle_seeds(Parameters& p) {
+  for (auto& seed : p.fluid.seeds) {
+    if (seed.depth == 0) seed.depth = p.fluid.depth;
+    if (seed.depth == 0)
+      throw BadParameters(fmt::format(
+          "[[fluid.seed]] at x = {:.6g} m, y = {:.6g} m doesn't tell its depth, nor does [fluid]; give depth", seed.x,
+          seed.y));
+  }
+  p.fluid.depth = std::ranges::max(p.fluid.seeds, {}, &Parameters::Fluid::Seed::depth).depth;
+}
+
 }  // namespace
 
 void put_shape(const std::vector<Setting>& settings, Scene& scene) {
@@ -91,16 +103,23 @@ void settle_tank(Scene& scene, const std::filesystem::path& folder) {
   Parameters& p = scene.parameters;
   auto& given = scene.given;
   read_file(scene, folder);
-  if (p.fluid.depth + given.fill + given.fill_height + given.volume == 0)
+  const bool seeded = !p.fluid.seeds.empty();
+  if (seeded && given.fill + given.volume > 0)
+    throw BadParameters(
+        fmt::format("fluid.{} tells how full all of the tank is; give each [[fluid.seed]] its depth, or [fluid] a depth "
+                    "or a fill_height",
+                    given.fill > 0 ? "fill" : "volume"));
+  if (!seeded && p.fluid.depth + given.fill + given.fill_height + given.volume == 0)
     throw BadParameters("[fluid] doesn't tell how full the tank is; give depth, fill, fill_height or volume");
   check_tank(p);
   if (given.fill > 0) p.fluid.depth = depth_holding(p, given.fill * tank_measures(p).volume);
-  if (given.fill_height > 0) p.fluid.depth = given.fill_height * tank_surface(p).size()[1];
+  if (given.fill_height > 0) p.fluid.depth = given.fill_height * tank_measures(p).height;
   if (given.volume > tank_measures(p).volume)
     throw BadParameters(fmt::format("fluid.volume = {:.6g} {} is more than the tank's {:.6g}", given.volume,
                                     p.dimension() == 3 ? "m^3" : "m^2", tank_measures(p).volume));
   if (given.volume > 0) p.fluid.depth = depth_holding(p, given.volume);
   given.fill = given.fill_height = given.volume = 0;
+  if (seeded) settle_seeds(p);
 }
 
 }  // namespace seiche::apps

@@ -90,7 +90,7 @@ std::optional<std::string> put_numbers(const Slot& slot, Numbers& target, const 
     return refusal(slot, value, fmt::format("has {} numbers", numbers.size()));
   }
   for (const double number : numbers)
-    if (!holds(rule.range, number)) return refusal(slot, value, "is out of range");
+    if (!holds(list ? rule.range_in_list() : rule.range, number)) return refusal(slot, value, "is out of range");
   target = numbers;
   return {};
 }
@@ -115,8 +115,11 @@ std::string expected(const Rule& rule, std::string_view unit, bool whole) {
                  [](Name) { return std::string(column_name_rule); }, [](Text) { return std::string("text"); },
                  [](std::monostate) { return std::string("true or false"); },
                  [&](const OneOr& some) {
-                   return fmt::format("a number from {} to {}{}, or a list of {} such numbers", some.range.low,
-                                      some.range.high, unit.empty() ? "" : fmt::format(" [{}]", unit), some.count);
+                   const std::string in = unit.empty() ? "" : fmt::format(" [{}]", unit);
+                   const std::string one = fmt::format("a number from {} to {}{}, or a list of {} ", some.range.low,
+                                                       some.range.high, in, some.count);
+                   if (!some.in_list) return one + "such numbers";
+                   return one + fmt::format("numbers from {} to {}", some.in_list->low, some.in_list->high);
                  },
                  [&](const Pairs& pairs) {
                    return fmt::format("a list of pairs as in [[0, 0], [1, 0], [1, 1]], of numbers from {} to {}{}",

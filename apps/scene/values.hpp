@@ -50,6 +50,9 @@ struct Text {};
 struct OneOr {
   Range range;
   std::size_t count;
+  std::optional<Range> in_list{};  ///< of the numbers of a list, where it is another
+
+  const Range& range_in_list() const { return in_list ? *in_list : range; }
 };
 
 /// A list of pairs of numbers.

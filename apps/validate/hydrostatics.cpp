@@ -2,23 +2,58 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "apps/common/series.hpp"
+#include "solver/make_simulation.hpp"
 
 namespace seiche::apps::validate {
+namespace {
 
-double hydrostatic_error(const Frame& frame, const RunInfo& run) {
-  const double weight = run.density * run.gravity, level = run.tank.low()[1] + run.depth;
-  std::vector<double> errors;
+double dot(const Double3& a, const Double3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+template <class Of>
+std::vector<double> of_fluid(const Frame& frame, Of of) {
+  std::vector<double> all;
   for (std::size_t i = 0; i < frame.size(); ++i)
-    if (frame.kind[i] == Kind::fluid) errors.push_back(frame.pressure[i] - weight * (level - frame.position[i][1]));
-  return rms(errors) / (weight * run.depth);
+    if (frame.kind[i] == Kind::fluid) all.push_back(of(i));
+  return all;
+}
+
+double speed(const Frame& frame, std::size_t i) {
+  const Float3& v = frame.velocity[i];
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+}  // namespace
+
+StillPressure::StillPressure(const Parameters& p) : p_(p), bottom_(std::numeric_limits<double>::infinity()) {
+  const double g = p.gravity.size();
+  up_ = {-p.gravity[0] / g, -p.gravity[1] / g, -p.gravity[2] / g};
+  for (const Double3& corner : tank_surface(p).points) bottom_ = std::min(bottom_, dot(up_, corner));
+}
+
+double StillPressure::at(const Float3& place) const {
+  const Double3 r{place[0], place[1], place[2]};
+  double depth = p_.fluid.depth, nearest = std::numeric_limits<double>::infinity();
+  for (const auto& seed : p_.fluid.seeds)
+    if (const double distance = std::hypot(r[0] - seed.x, r[1] - seed.y, r[2] - seed.z); distance < nearest)
+      nearest = distance, depth = seed.depth;
+  return p_.fluid.density * p_.gravity.size() * (bottom_ + depth - dot(up_, r));
+}
+
+double StillPressure::error(const Frame& frame) const {
+  return rms(of_fluid(frame, [&](std::size_t i) { return frame.pressure[i] - at(frame.position[i]); })) /
+         (p_.fluid.density * p_.gravity.size() * p_.fluid.depth);
 }
 
 double greatest_speed(const Frame& frame) {
-  double most = 0;
-  for (const Float3& v : frame.velocity) most = std::max<double>(most, std::hypot(v[0], v[1], v[2]));
-  return most;
+  const auto speeds = of_fluid(frame, [&](std::size_t i) { return speed(frame, i); });
+  return speeds.empty() ? 0 : *std::ranges::max_element(speeds);
+}
+
+double rms_speed(const Frame& frame) {
+  return rms(of_fluid(frame, [&](std::size_t i) { return speed(frame, i); }));
 }
 
 }  // namespace seiche::apps::validate

@@ -1,14 +1,31 @@
 #pragma once
 #include "solver/frame.hpp"
-#include "solver/run_info.hpp"
+#include "solver/parameters.hpp"
 
-// What a frame of liquid at rest ought to be: still, at the pressure p = rho g (level - y).
+// What a frame of liquid at rest ought to be: still, at the pressure p = rho g (level - height).
 namespace seiche::apps::validate {
 
-/// Root mean square over the fluid of what its pressure differs from that by, over rho g depth [-].
-double hydrostatic_error(const Frame& frame, const RunInfo& run);
+/// The pressure of a tank's liquid at rest.
+class StillPressure {
+ public:
+  explicit StillPressure(const Parameters& p);
+
+  /// Root mean square over the fluid of what its pressure differs from that by, over rho g depth [-]. Of chambers with
+  /// levels of their own each particle has that of the seed nearest to it.
+  double error(const Frame& frame) const;
+
+ private:
+  double at(const Float3& r) const;
+
+  Parameters p_;
+  Double3 up_;     ///< against gravity
+  double bottom_;  ///< height of the tank's lowest point along it [m]
+};
 
 /// Greatest speed [m/s].
 double greatest_speed(const Frame& frame);
+
+/// Root mean square of the fluid's speeds [m/s].
+double rms_speed(const Frame& frame);
 
 }  // namespace seiche::apps::validate

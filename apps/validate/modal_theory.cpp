@@ -12,7 +12,7 @@ using std::numbers::pi;
 
 double natural_frequency(const Parameters& p, int n) {
   const double k = n * pi / tank_surface(p).size()[0];
-  return std::sqrt(p.gravity * k * std::tanh(k * p.fluid.depth));
+  return std::sqrt(p.gravity.size() * k * std::tanh(k * p.fluid.depth));
 }
 
 Series roll_elevation(const Parameters& p, double step, double end) {
@@ -21,7 +21,7 @@ Series roll_elevation(const Parameters& p, double step, double end) {
       m.harmonic.phase != 0 || m.ramp != 0)
     throw std::invalid_argument("the theory of roll wants motion.type = roll, an impulsive start, no phase, no ramp");
   constexpr int last_mode = 61;  // what is left out is below 0.1 mm for a roll of 1 degree
-  const double length = tank_surface(p).size()[0], depth = p.fluid.depth, g = p.gravity;
+  const double length = tank_surface(p).size()[0], depth = p.fluid.depth, g = p.gravity.size();
   const double roll = m.harmonic.amplitude * pi / 180, omega = 2 * pi * m.harmonic.frequency;
   Series left;
   for (long i = 0; static_cast<double>(i) * step <= end * (1 + 1e-9); ++i) {

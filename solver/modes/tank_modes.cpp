@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "solver/modes/cut_out.hpp"
+#include "solver/tank/level_axes.hpp"
 
 namespace seiche::solver::modes {
 namespace {
@@ -94,22 +95,48 @@ std::vector<TankMode> tank_modes(const Revolved& tank, double level, double grav
   return first.all();
 }
 
-std::vector<TankMode> tank_modes(const Parameters& p, int count) {
-  if (p.dimension() == 2) {
-    const Section section = tank_section(p);
-    const double level = section.bounds().low[1] + p.fluid.depth;
-    if (p.tank.baffles.empty()) return tank_modes(section, level, p.gravity, count);
+namespace {
+
+/// The polygons on axes whose y is against gravity.
+Polygons on_level_axes(Polygons polygons, const LevelAxes<2>& axes) {
+  for (auto& polygon : polygons)
+    for (Vec<2>& corner : polygon) corner = axes(corner);
+  return polygons;
+}
+
+std::vector<TankMode> modes_of_section(const Parameters& p, int count) {
+  const Section section = tank_section(p);
+  const LevelAxes<2> axes(p.gravity);
+  Polygons walls = polygons_of(section.wall());
+  if (!p.tank.baffles.empty()) {
     const double l0 = p.particles.spacing;
     const Baffled tank(std::make_shared<Section>(section), baffle_lines(p.tank), l0, l0);
-    First first(count);
-    first.add(
-        section_modes(cut_out(polygons_of(section.wall()), tank.solids(), tank.plates()), level, p.gravity, count),
-        "across");
-    return first.all();
+    walls = cut_out(walls, tank.solids(), tank.plates());
   }
+  const double level = axes.bounds_of(section).low[1] + p.fluid.depth;
+  First first(count);
+  first.add(section_modes(on_level_axes(walls, axes), level, p.gravity.size(), count), "across");
+  return first.all();
+}
+
+/// Of a tank that leans: those of an extruded one that leans across its length.
+std::vector<TankMode> modes_of_leaning(const Body& body, const Parameters& p, int count) {
+  const auto* tank = std::get_if<Extruded>(&body);
+  if (!tank || p.gravity[2] != 0) return {};
+  const LevelAxes<2> axes(p.gravity);
+  return along(on_level_axes(polygons_of(tank->section().wall()), axes), tank->z_high() - tank->z_low(), 'z',
+               axes.bounds_of(tank->section()).low[1] + p.fluid.depth, p.gravity.size(), count);
+}
+
+}  // namespace
+
+std::vector<TankMode> tank_modes(const Parameters& p, int count) {
+  if (p.dimension() == 2) return modes_of_section(p, count);
+  const Body body = tank_body(p);
+  if (!p.gravity.is_upright()) return modes_of_leaning(body, p, count);
   return std::visit(
-      [&](const auto& tank) { return tank_modes(tank, tank.bounds().low[1] + p.fluid.depth, p.gravity, count); },
-      tank_body(p));
+      [&](const auto& tank) { return tank_modes(tank, tank.bounds().low[1] + p.fluid.depth, p.gravity.size(), count); },
+      body);
 }
 
 }  // namespace seiche::solver::modes

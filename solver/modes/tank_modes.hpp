@@ -31,7 +31,8 @@ std::vector<TankMode> tank_modes(const Revolved& tank, double level, double grav
 /// Empty: no section gives the modes of a mesh.
 std::vector<TankMode> tank_modes(const MeshTank& tank, double level, double gravity, int count);
 
-/// Of a run's tank, its liquid still.
+/// Of a run's tank, its liquid still. Empty for a tank that leans, unless that is a section or leans across the length
+/// of one.
 std::vector<TankMode> tank_modes(const Parameters& p, int count);
 
 /// A contour's loops as polygons within a share of its size.

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 
+#include "solver/gravity.hpp"
 #include "solver/motion/motion.hpp"
 #include "solver/particles/vec.hpp"
 
@@ -42,10 +43,10 @@ inline Eigen::Matrix3d cross(const Eigen::Vector3d& w) {
 /// free particle in a tank that doesn't rotate is exact whatever the step; orientation and angular velocity are those
 /// of its middle. A free particle in a rotating tank is followed to first order in dt.
 template <int D>
-BodyForce<D> body_force(const Motion& motion, double gravity, double t, double dt) {
+BodyForce<D> body_force(const Motion& motion, const Gravity& gravity, double t, double dt) {
   const RigidState from = motion.state(t), to = motion.state(t + dt);
   const Eigen::Vector3d acceleration = (to.velocity - from.velocity) / dt;
-  const Eigen::Vector3d uniform = -gravity * Eigen::Vector3d::UnitY() - acceleration;
+  const Eigen::Vector3d uniform = Eigen::Vector3d(gravity[0], gravity[1], gravity[2]) - acceleration;
   BodyForce<D> force;
   if (!motion.rotates()) {
     force.uniform = uniform.head<D>();
@@ -72,6 +73,14 @@ BodyForce<D> body_force(const Motion& motion, double gravity, double t, double d
   // take.
   force.divergence = 2 * w.squaredNorm() + 4 * w.dot(to_tank * motion.spin_of_liquid() - w);
   return force;
+}
+
+/// Against gravity, in the axes of the tank at t; 0 where there is none.
+template <int D>
+Vec<D> up_in_tank(const Motion& motion, const Gravity& gravity, double t) {
+  if (gravity.size() == 0) return Vec<D>::Zero();
+  const Eigen::Vector3d up = -Eigen::Vector3d(gravity[0], gravity[1], gravity[2]) / gravity.size();
+  return (motion.state(t).orientation.conjugate() * up).template head<D>();
 }
 
 /// Velocity relative to the tank of liquid at rest in the lab at t = 0, as the "force" that gives it within dt.

@@ -18,7 +18,7 @@ double reach_of(const Bounds<D>& bounds, const Parameters::Motion& motion) {
 /// What pulls the liquid: gravity, or the tank's greatest acceleration where that is more [m/s^2].
 template <int D>
 double greatest_pull(const Parameters& p, const Bounds<D>& bounds, const Motion& motion) {
-  return std::max(std::abs(p.gravity), motion.greatest_acceleration(reach_of(bounds, p.motion)));
+  return std::max(p.gravity.size(), motion.greatest_acceleration(reach_of(bounds, p.motion)));
 }
 
 /// sqrt(a H), the fastest wave on a depth H under the greatest pull a: the rates of the method scale with it [m/s].

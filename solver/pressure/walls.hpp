@@ -20,7 +20,8 @@ class Walls {
   virtual void relist(const Neighbours<D>&, const State<D>&) {}
 
   /// Sets how wet walls are, as which they count as neighbours.
-  virtual void wet(const Range<D>&, State<D>&) {}
+  /// @param up against gravity, in the tank's axes; 0 where there is none
+  virtual void wet(const Range<D>&, const Vec<D>& /*up*/, State<D>&) {}
 
   /// Gives free-surface particles their pressure, and writes the equation's matrix and what walls and surface add to
   /// its right-hand side.
@@ -46,7 +47,9 @@ class GhostWalls final : public Walls<D> {
         depth_(std::visit([&](auto kernel) { return surface_depth<D>(kernel, l0); }, w)) {}
 
   void relist(const Neighbours<D>& list, const State<D>& s) override { wetness_.relist(list, s); }
-  void wet(const Range<D>& range, State<D>& s) override { wetness_(*range.pairs, range.ref.n0, s); }
+  void wet(const Range<D>& range, const Vec<D>& up, State<D>& s) override {
+    wetness_(*range.pairs, range.ref.n0, up, s);
+  }
   void assemble(const Interactions<D>& near, const Forces<D>& forces, double rho, State<D>& s,
                 PressureSystem<D>& system) override {
     set_surface_pressure(rho, forces.body, forces.viscous, depth_, s.density, s);

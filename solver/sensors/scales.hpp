@@ -3,7 +3,7 @@
 
 #include "solver/parameters.hpp"
 #include "solver/tank/level.hpp"
-#include "solver/tank/shape.hpp"
+#include "solver/tank/level_axes.hpp"
 
 namespace seiche::solver {
 
@@ -17,8 +17,8 @@ struct Scales {
   double energy = 0;    ///< a hundredth of the weight times h [J/m, J]
 
   explicit Scales(const Parameters& p) {
-    const double depth = p.fluid.depth, specific = p.fluid.density * std::abs(p.gravity);
-    const SurfaceMesh wall = wall_surface(p);
+    const double depth = p.fluid.depth, specific = p.fluid.density * p.gravity.size();
+    const SurfaceMesh wall = on_level_axes(wall_surface(p), p.gravity);
     const double length_of_tank = wall.size()[0], all = volume_below(wall, wall.low()[1] + depth);
     pressure = or_one(0.25 * specific * depth);
     length = or_one(0.25 * depth);

@@ -12,8 +12,8 @@ Sensors<D>::Sensors(const SensorSite<D>& site, double interval)
       interval_(interval),
       motion_(site.p.motion),
       cells_(site.tank.bounds(), site.p.particles.spacing),
-      surface_(site.tank, site.p.particles.spacing, site.start),
-      still_height_(mean_height(site.start)) {
+      surface_(site.tank, site.p.gravity, site.p.particles.spacing, site.start),
+      still_height_(mean_height(site.start, site.p.gravity)) {
   for (const SensorKind<D>& kind : sensor_kinds<D>())
     if (!kind.columns(p_).empty()) sensors_.push_back(kind.make(site));
 }

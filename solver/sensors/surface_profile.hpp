@@ -6,7 +6,15 @@
 
 namespace seiche::solver {
 
-/// The water surface over the columns of the lattice: for each the highest crossing of half of the fluid fraction
+/// The lattice whose columns the surface is found over: all of the tank.
+template <int D>
+LiquidLattice<D> lattice_of_columns(const Shape<D>& tank, const Gravity& gravity, double l0) {
+  const LevelAxes<D> axes(gravity);
+  const Bounds<D> bounds = axes.bounds_of(tank);
+  return {bounds, bounds.high[1], l0, axes};
+}
+
+/// The water surface over the columns of the lattice, which stand upright on the level: for each the highest crossing of half of the fluid fraction
 ///   phi(x, y) = (sum_fluid W + sum_wall n^2 v s W) / (1 - sum_wall (1 - n^2) v W),   W as LatticeColumns has it.
 /// n is how far the wall at a wall particle faces up or down, the y of the direction to its nearest point in the tank.
 /// Beside a wall the fluid goes on as it is at the same height; below the floor as in a mirror: a particle of volume v
@@ -18,8 +26,8 @@ template <int D>
 class SurfaceProfile {
  public:
   /// @param walls a state with the tank's wall particles and dummies
-  SurfaceProfile(const Shape<D>& tank, double l0, const State<D>& walls)
-      : lattice_(tank.bounds(), tank.bounds().high[1], l0),
+  SurfaceProfile(const Shape<D>& tank, const Gravity& gravity, double l0, const State<D>& walls)
+      : lattice_(lattice_of_columns(tank, gravity, l0)),
         closed_(tank.is_closed()),
         beside_(lattice_),
         mirrored_(lattice_),
@@ -28,7 +36,7 @@ class SurfaceProfile {
     height_.resize(columns_.size());
     for (Column& column : columns_) column.below.assign(1, 0);
     lattice_.each(
-        [&](const Cell& cell) { columns_[number(cell)].add_cell(part_inside(tank, lattice_.centre(cell), l0).share); });
+        [&](const Cell& cell) { columns_[number(cell)].add_cell(lattice_.part_inside(tank, cell).share); });
     add_walls(tank, walls);
   }
 
@@ -46,7 +54,7 @@ class SurfaceProfile {
   /// Columns along x, and along z (1 in 2-D).
   int count(int axis) const { return axis == 0 ? lattice_.count[0] : D == 3 ? lattice_.count[D - 1] : 1; }
 
-  /// The surface's y [m] in column i + count(0) k, the column's bottom where there is no water.
+  /// The surface's y along the lattice's axes [m] in column i + count(0) k, the column's bottom where there is no water.
   double height(int column) const { return height_[column]; }
 
   /// Space below the surface [m^2 in 2-D, m^3].
@@ -65,7 +73,7 @@ class SurfaceProfile {
 
   /// What a wall particle shows of the fluid.
   struct Mirror {
-    Vec<D> point;
+    Vec<D> point;   ///< along the lattice's axes [m]
     double weight;  ///< n^2 v / (1 - sum_wall v H)
   };
 
@@ -98,25 +106,27 @@ class SurfaceProfile {
     for (std::size_t i = 0; i < walls.size(); ++i) {
       if (walls.kind[i] == Kind::fluid) continue;
       const Vec<D>& r = walls.position[i];
+      const Vec<D> at = lattice_.axes(r);
       if (walls.behind[i] >= 0) {
         const double solid = walls.volume[i] * share_in_baffle(tank, walls.baffles->faces()[walls.behind[i]], r);
-        all.add(r, solid);
-        beside_.add(r, solid);
+        all.add(at, solid);
+        beside_.add(at, solid);
         continue;
       }
-      const double upright = std::pow((r - tank.nearest(r).foot).normalized()[1], 2);
-      all.add(r, walls.volume[i]);
-      if (upright < 1) beside_.add(r, (1 - upright) * walls.volume[i]);
-      if (upright > 1e-12) mirrored_.add(r, upright * walls.volume[i]);
+      const double upright = std::pow(lattice_.axes.height((r - tank.nearest(r).foot).normalized()), 2);
+      all.add(at, walls.volume[i]);
+      if (upright < 1) beside_.add(at, (1 - upright) * walls.volume[i]);
+      if (upright > 1e-12) mirrored_.add(at, upright * walls.volume[i]);
     }
     all.sort();
     beside_.sort();
     mirrored_.sort();
     for (std::size_t i = 0; i < mirrored_.size(); ++i) {
-      const Vec<D>& r = mirrored_.position(i);
+      const Vec<D> r = lattice_.axes.in_tank(mirrored_.position(i));
       const Nearest<D> wall = tank.nearest(r);
       Vec<D> point = 2 * wall.foot - r;
       if (tank.nearest(point).distance > 0) point = wall.foot - 0.5 * lattice_.l0 * wall.normal;
+      point = lattice_.axes(point);
       mirrors_.push_back({point, mirrored_.weight(i) / std::max(least_open, 1 - all.linear_sum(point))});
     }
   }
@@ -144,7 +154,7 @@ class SurfaceProfile {
     for (int i = 0; i < size; ++i) counts_[i] = s.kind[i] == Kind::fluid && !is_spray(s, i, cells);
     water_.clear();
     for (int i = 0; i < size; ++i)
-      if (counts_[i]) water_.add(s.position[i], 1);
+      if (counts_[i]) water_.add(lattice_.axes(s.position[i]), 1);
     water_.sort();
   }
 

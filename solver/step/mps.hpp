@@ -33,6 +33,8 @@ class Mps final : public Simulation {
  private:
   void count_kinds();
   void settle();
+  bool even_out();
+  bool take_even_places();
   void start_at_rest_in_lab();
 
   void step_move_first(double dt);

@@ -1,6 +1,7 @@
 #pragma once
 #include <utility>
 
+#include "solver/preset.hpp"
 #include "solver/step/derived.hpp"
 #include "solver/step/mps.hpp"
 #include "solver/step/snapshot.hpp"
@@ -42,18 +43,35 @@ Mps<D>::Mps(const Parameters& p, double sample_interval)
   sensors_.read(s_, run_.sensors);
 }
 
-/// Where walls cut the cells of the lattice, particles begin unevenly, and would even out in the first steps: of the
-/// velocities with which they do so the pressure takes back only what compresses, and the rest would go round near the
-/// wall for seconds, at up to a twentieth of sqrt(g H). So they even out before the run, at rest under gravity alone,
-/// for the time in which a long wave goes as far as the liquid is deep, in steps whose velocities are forgotten.
+/// Where walls cut the cells of the lattice, particles begin unevenly: they become even before the run.
 template <int D>
 void Mps<D>::settle() {
+  if (wave_speed_ == 0) return;
+  const double specific = still_pressure(p_, 1, 0);  // 0: pressures are 0
+  const LevelAxes<D> axes(p_.gravity);
+  Scalars level(s_.size());  // by particles' numbers
+  each_fluid(s_, [&](int i) {
+    level[s_.id[i]] = axes.height(s_.position[i]) + (specific > 0 ? s_.pressure[i] / specific : 0);
+  });
+  if (!(p_.method.order == Order::project_first ? even_out() : take_even_places())) return;
+  find_neighbours();
+  find_surface();
+  each_fluid(s_, [&](int i) {
+    s_.pressure[i] = std::max(0.0, still_pressure(p_, level[s_.id[i]], axes.height(s_.position[i])));
+  });
+}
+
+/// In the first steps they would even out by themselves: of the velocities with which they do so the pressure takes
+/// back only what compresses, and the rest would go round near the wall for seconds, at up to a twentieth of sqrt(g H).
+/// So they do it at rest under gravity alone, for the time in which a long wave goes as far as the liquid is deep, in
+/// steps whose velocities are forgotten.
+/// Returns whether they weren't even.
+template <int D>
+bool Mps<D>::even_out() {
   const double l0 = p_.particles.spacing, dt = step_cap(p_, wave_speed_);
-  if (p_.method.order != Order::project_first || wave_speed_ == 0) return;
   shift_(near_.density, dt, s_, change_);
-  const bool even =
-      std::all_of(change_.begin(), change_.end(), [&](const Vec<D>& by) { return by.norm() < 1e-6 * l0; });
-  if (even) return;
+  if (std::all_of(change_.begin(), change_.end(), [&](const Vec<D>& by) { return by.norm() < 1e-6 * l0; }))
+    return false;
   const Statistics totals = totals_;
   const Motion motion = std::exchange(motion_, Motion({}));
   const long steps = std::lround(std::ceil(p_.fluid.depth / (p_.time.courant * l0)));
@@ -63,10 +81,25 @@ void Mps<D>::settle() {
   }
   motion_ = motion;
   totals_ = totals;
-  find_neighbours();
-  find_surface();
-  const double level = tank_->bounds().low[1] + p_.fluid.depth;
-  each_fluid(s_, [&](int i) { s_.pressure[i] = std::max(0.0, still_pressure(p_, level, s_.position[i])); });
+  return true;
+}
+
+/// The paper's order doesn't shift particles: they begin where the stabilised preset's are when they have become even.
+/// Returns whether that is elsewhere.
+template <int D>
+bool Mps<D>::take_even_places() {
+  Parameters p = p_;
+  apply_preset(p, Preset::stabilised);
+  const Mps<D> even(p, 0);
+  Vecs<D> places(even.s_.size());
+  each_fluid(even.s_, [&](int i) { places[even.s_.id[i]] = even.s_.position[i]; });
+  bool moved = false;
+  for (std::size_t i = 0; i < s_.size(); ++i) {
+    if (s_.kind[i] != Kind::fluid || s_.position[i] == places[s_.id[i]]) continue;
+    s_.position[i] = places[s_.id[i]];
+    moved = true;
+  }
+  return moved;
 }
 
 template <int D>

@@ -70,7 +70,7 @@ void Mps<D>::find_neighbours() {
 template <int D>
 void Mps<D>::find_surface() {
   const Stage stage(totals_.seconds["density"]);
-  walls_->wet(near_.density, s_);
+  walls_->wet(near_.density, up_in_tank<D>(motion_, p_.gravity, s_.time), s_);
   surface_(near_.density, s_);
 }
 

@@ -5,8 +5,7 @@
 #include "solver/operators/volume.hpp"
 #include "solver/parameters.hpp"
 #include "solver/particles/state.hpp"
-#include "solver/tank/level.hpp"
-#include "solver/tank/liquid_cells.hpp"
+#include "solver/tank/pools.hpp"
 
 namespace seiche::solver {
 
@@ -20,10 +19,9 @@ inline double longest_support(const Parameters::Method& m) {
 /// support of a wall particle.
 inline int wall_layers(const Parameters::Method& m) { return 1 + static_cast<int>(std::floor(longest_support(m))); }
 
-/// rho g (level - y) [Pa]
-template <int D>
-double still_pressure(const Parameters& p, double level, const Vec<D>& r) {
-  return p.fluid.density * p.gravity * (level - r[1]);
+/// rho g (level - y), y the height along the level's axes [Pa]
+inline double still_pressure(const Parameters& p, double level, double y) {
+  return p.fluid.density * p.gravity.size() * (level - y);
 }
 
 /// A place no nearer to the wall than that [m]: the centroid of a sliver of liquid lies at the wall, or, where the wall
@@ -45,45 +43,28 @@ Vec<D> off_baffles(const Baffles<D>& baffles, Vec<D> r, double distance) {
   return r;
 }
 
-/// Adds the liquid at rest below the level: a particle for each cell of its lattice, in cells that a wall cuts as many
-/// as their liquid fills, each at the centroid of that, l0/10 off the wall or more. N l0^D is the liquid's volume
-/// within half a particle. The pressure is hydrostatic.
+/// Adds a pool: a particle for each cell of its lattice, in cells that a wall cuts as many as their liquid fills, each
+/// at the centroid of that, l0/10 off the wall or more. N l0^D is the liquid's volume within half a particle. The
+/// pressure is hydrostatic.
 template <int D>
-void add_liquid(const Parameters& p, const Shape<D>& tank, State<D>& s) {
-  using Cell = typename LiquidLattice<D>::Cell;
-  const Bounds<D> bounds = tank.bounds();
-  const double l0 = p.particles.spacing, level = bounds.low[1] + p.fluid.depth;
-  const double end = p.fluid.column > 0 ? bounds.low[0] + p.fluid.column : bounds.high[0];
-  const LiquidLattice<D> lattice(bounds, level, l0);
-  struct Part {
-    Cell cell;
-    int number;  ///< in its cell
-    CellPart<D> inside;
-  };
-  std::vector<Part> parts;
+void add_liquid(const Parameters& p, const Shape<D>& tank, const Pool<D>& pool, State<D>& s) {
+  const double l0 = p.particles.spacing;
   CutCells<D> cut(s.baffles.get());
   long whole = 0;
-  lattice.each([&](const Cell& cell) {
-    int number = 0;
-    for (const CellPart<D>& inside : parts_inside(tank, s.baffles.get(), lattice.centre(cell), l0)) {
-      if (inside.share == 0 || inside.centroid[0] > end) continue;
-      parts.push_back({cell, number, inside});
-      if (inside.share == 1)
-        ++whole;
-      else
-        cut.add(cell, number, inside.share, inside.centroid);
-      ++number;
-    }
-  });
+  for (const auto& [cell, number, inside] : pool.parts)
+    if (inside.share == 1)
+      ++whole;
+    else
+      cut.add(cell, number, inside.share, inside.centroid);
   // Liquid that begins as a column stands in a box, which cuts no cell.
-  if (whole < static_cast<long>(parts.size()))
-    cut.choose(std::lround(volume_below(tank.surface(), level) / std::pow(l0, D)) - whole);
-  for (const auto& [cell, number, inside] : parts) {
+  if (whole < static_cast<long>(pool.parts.size()))
+    cut.choose(std::lround(pool.volume / std::pow(l0, D)) - whole);
+  for (const auto& [cell, number, inside] : pool.parts) {
     if (inside.share < 1 && !cut.has_particle(cell, number)) continue;
     Vec<D> r = inside.share < 1 ? off_the_wall(tank, inside.centroid, 0.1 * l0) : inside.centroid;
     if (s.baffles) r = off_baffles(*s.baffles, r, 0.1 * l0);
     s.add(r, Kind::fluid, Vec<D>::Zero());
-    s.pressure.back() = still_pressure(p, level, r);
+    s.pressure.back() = still_pressure(p, pool.level, pool.lattice.axes.height(r));
   }
 }
 
@@ -109,7 +90,7 @@ template <int D>
 State<D> fill_tank(const Parameters& p, const Shape<D>& tank) {
   State<D> s;
   s.baffles = tank.baffles();
-  add_liquid(p, tank, s);
+  for (const Pool<D>& pool : pools_of(p, tank)) add_liquid(p, tank, pool, s);
   add_walls(p, tank, s);
   return s;
 }

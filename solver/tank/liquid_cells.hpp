@@ -6,17 +6,21 @@
 
 namespace seiche::solver {
 
-/// The lattice of a tank's liquid: rows down from its level, columns about the middle of the tank. Where that is a
-/// whole number of spacings from the tank's lowest corner, cells begin at the corner itself.
+/// The lattice of a tank's liquid: rows down from its level and parallel to it, columns about the middle of the tank.
+/// Where that is a whole number of spacings from the tank's lowest corner, cells begin at the corner itself.
 template <int D>
 struct LiquidLattice {
   using Cell = Eigen::Matrix<int, D, 1>;
 
-  Vec<D> corner;  ///< of cell 0 [m]
-  Cell count;     ///< of cells along each axis: they cover the tank up to the level
-  double l0;      ///< [m]
+  LevelAxes<D> axes;  ///< along which its cells lie
+  Vec<D> corner;      ///< of cell 0, along them [m]
+  Cell count;         ///< of cells along each axis: they cover the tank up to the level
+  double l0;          ///< [m]
 
-  LiquidLattice(const Bounds<D>& tank, double level, double spacing) : l0(spacing) {
+  /// @param tank along the axes
+  /// @param level along them [m]
+  LiquidLattice(const Bounds<D>& tank, double level, double spacing, const LevelAxes<D>& along = LevelAxes<D>())
+      : axes(along), l0(spacing) {
     for (int a = 0; a < D; ++a) {
       const double size = a == 1 ? level - tank.low[1] : tank.size()[a];
       count[a] = a == 1 ? static_cast<int>(std::ceil(size / l0 - 1e-6)) : static_cast<int>(std::lround(size / l0));
@@ -28,7 +32,19 @@ struct LiquidLattice {
     }
   }
 
-  Vec<D> centre(const Cell& cell) const { return corner + Vec<D>((cell.template cast<double>().array() + 0.5) * l0); }
+  /// In the tank's frame.
+  Vec<D> centre(const Cell& cell) const {
+    return axes.in_tank(corner + Vec<D>((cell.template cast<double>().array() + 0.5) * l0));
+  }
+
+  /// The one in which a place in the tank's frame lies.
+  Cell cell_at(const Vec<D>& r) const {
+    return ((axes(r) - corner) / l0).array().floor().template cast<int>();
+  }
+
+  CellPart<D> part_inside(const Shape<D>& tank, const Cell& cell) const {
+    return solver::part_inside(tank, centre(cell), l0, axes);
+  }
 
   /// Calls f(cell) for each, x first, then y, then z.
   template <class F>

@@ -61,6 +61,11 @@ class Shape {
 template <int D>
 std::shared_ptr<const Shape<D>> make_shape(const Parameters& p);
 
+template <>
+std::shared_ptr<const Shape<2>> make_shape(const Parameters& p);
+template <>
+std::shared_ptr<const Shape<3>> make_shape(const Parameters& p);
+
 /// The wall of a run's tank, in 2-D or 3-D.
 SurfaceMesh wall_surface(const Parameters& p);
 

@@ -19,8 +19,8 @@ struct StandingWave {
   /// @param length of the tank, with upright ends at x = 0 and there [m]
   StandingWave(const Parameters& p, double length)
       : wavenumber(p.fluid.wave_mode * std::numbers::pi / length), depth(p.fluid.depth) {
-    const double omega = std::sqrt(p.gravity * wavenumber * std::tanh(wavenumber * depth));
-    speed = p.fluid.wave_amplitude * p.gravity * wavenumber / omega;
+    const double omega = std::sqrt(p.gravity.size() * wavenumber * std::tanh(wavenumber * depth));
+    speed = p.fluid.wave_amplitude * p.gravity.size() * wavenumber / omega;
   }
 
   /// grad phi at r [m/s]; none across a wall or through the floor.

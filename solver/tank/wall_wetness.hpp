@@ -1,6 +1,8 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "solver/operators/reference.hpp"
 #include "solver/particles/pairs.hpp"
@@ -14,8 +16,11 @@ namespace seiche::solver {
 /// Of the liquid that a wall particle would have around it on a full lattice it has the share
 ///   s_i = sum_fluid w / (n0 - sum_solid w).
 /// On the lattice s is `level` beside the topmost layer of still liquid, where all the wall counts as it does far from
-/// the surface, and `above` one spacing higher, where none does; wetness goes from 0 to 1 between them. A dummy is as
-/// wet as the wall particle before it.
+/// the surface, and `above` one spacing higher, where none does; wetness goes from 0 to 1 between them. That is beside
+/// an upright wall, where liquid below the level fills a right angle. Under a wall that leans over it liquid fills a
+/// wider angle a, of whatever lies there a/(pi/2) times as much, and so both grow; towards a roof they go back to what
+/// they are beside an upright wall, for liquid that comes up to a roof from below has no level there. A dummy is as wet
+/// as the wall particle before it.
 template <int D>
 class WallWetness {
  public:
@@ -55,7 +60,8 @@ class WallWetness {
   }
 
   /// Sets the wetness of wall and dummy particles.
-  void operator()(const Pairs<D>& pairs, double n0, State<D>& s) const {
+  /// @param up against gravity, in the tank's axes; 0 where there is none
+  void operator()(const Pairs<D>& pairs, double n0, const Vec<D>& up, State<D>& s) const {
     const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < size; ++i) {
@@ -64,7 +70,8 @@ class WallWetness {
       pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
         (s.kind[j] == Kind::fluid ? fluid : solid) += s.volume[j] * weight * rij.squaredNorm();
       });
-      s.wet[i] = s.volume[i] * std::clamp((fluid / (n0 - solid) - above_) / (level_ - above_), 0.0, 1.0);
+      const double share = fluid / (n0 - solid), wider = times_wider(s.normal[i].dot(up));
+      s.wet[i] = s.volume[i] * std::clamp((share - wider * above_) / (wider * (level_ - above_)), 0.0, 1.0);
     }
     for (int i = 0; i < size; ++i)
       if (s.kind[i] == Kind::dummy)
@@ -72,6 +79,13 @@ class WallWetness {
   }
 
  private:
+  /// @param rise of the wall's normal out of the tank: 0 of an upright wall, 1 of a roof
+  static double times_wider(double rise) {
+    if (!(rise > 0)) return 1;
+    const double lean = std::asin(std::min(rise, 1.0)) / (0.5 * std::numbers::pi);
+    return 1 + std::min(lean, 1 - lean);
+  }
+
   double level_ = 0, above_ = 0;
   std::vector<int> before_;
   Scalars distance_;

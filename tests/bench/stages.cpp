@@ -35,7 +35,7 @@ void search(StirredTank& t) { t.list.build(t.s); }
 void pairs(StirredTank& t) { t.near_pairs.measure(t.w, t.list, t.s); }
 
 void density_and_surface(StirredTank& t) {
-  t.wetness(t.near_pairs, t.ref.n0, t.s);
+  t.wetness(t.near_pairs, t.ref.n0, solver::Vec<2>::Unit(1), t.s);
   number_density(t.near_pairs, t.s, t.n, t.count);
   mark_free_surface(t.ref, 0.97, count_share, t.n, t.count, t.s.kind, t.s.surface);
   mark_near_surface(t.near_pairs, t.s, t.near);

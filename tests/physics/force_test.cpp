@@ -40,7 +40,7 @@ TEST(WallForce, BalancesTheMomentumOfTheWater) {
     greatest = std::max(greatest, std::abs(momentum(frame) - start));
   });
   EXPECT_LT(error, 0.03 * greatest) << error << " of " << greatest << " N s/m";
-  EXPECT_NEAR(weight / static_cast<double>(samples), -mass * p.gravity, 0.005 * mass * p.gravity);
+  EXPECT_NEAR(weight / static_cast<double>(samples), -mass * p.gravity.size(), 0.005 * mass * p.gravity.size());
 }
 
 }  // namespace

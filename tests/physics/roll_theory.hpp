@@ -24,7 +24,7 @@ class RollTheory {
   explicit RollTheory(const Parameters& p)
       : length_(p.tank.length),
         depth_(p.fluid.depth),
-        gravity_(p.gravity),
+        gravity_(p.gravity.size()),
         amplitude_(p.motion.harmonic.amplitude * M_PI / 180),
         w_(2 * M_PI * p.motion.harmonic.frequency),
         xp_(p.motion.pivot_x),

@@ -39,7 +39,7 @@ inline void run(Simulation& simulation, double interval, double end, const std::
 
 /// Root mean square over the fluid of p - rho g (depth - y), over rho g depth [-].
 inline double hydrostatic_error(const Frame& frame, const Parameters& p) {
-  const double weight = p.fluid.density * p.gravity;
+  const double weight = p.fluid.density * p.gravity.size();
   double sum = 0;
   long n = 0;
   for (std::size_t i = 0; i < frame.size(); ++i) {

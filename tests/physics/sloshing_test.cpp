@@ -12,8 +12,8 @@ double centre_by_theory(const Parameters& p, double t) {
   const double length = p.tank.length, depth = p.fluid.depth, w = 2 * M_PI * p.motion.harmonic.frequency;
   double x = 0;
   for (int n = 1; n <= 41; n += 2) {
-    const double k = n * M_PI / length, wn = std::sqrt(p.gravity * k * std::tanh(k * depth));
-    const double c = 4 * length / std::pow(n * M_PI, 2) * wn * wn / p.gravity * p.motion.harmonic.amplitude;
+    const double k = n * M_PI / length, wn = std::sqrt(p.gravity.size() * k * std::tanh(k * depth));
+    const double c = 4 * length / std::pow(n * M_PI, 2) * wn * wn / p.gravity.size() * p.motion.harmonic.amplitude;
     const double forced = -c * w * w / (wn * wn - w * w);
     const double free = (c * w - forced * w) / wn;
     x -= 2 * (forced * std::sin(w * t) + free * std::sin(wn * t)) / (k * k * depth * length);

@@ -21,7 +21,7 @@ Worst watch(const Parameters& p, double settle, double end) {
     worst.speed = std::max(worst.speed, fastest(frame));
     for (std::size_t k = 0; k < frame.readings.time.size(); ++k) {
       const double* row = &frame.readings.values[sensor_columns(p).size() * k];
-      worst.corner = std::max(worst.corner, std::abs(row[0] / (p.fluid.density * p.gravity * p.fluid.depth) - 1));
+      worst.corner = std::max(worst.corner, std::abs(row[0] / (p.fluid.density * p.gravity.size() * p.fluid.depth) - 1));
       worst.level = std::max({worst.level, std::abs(row[1]), std::abs(row[2])});
     }
   });
@@ -52,6 +52,57 @@ TEST(StillTank, KeepsHydrostaticPressureBesideBaffles) {
     EXPECT_LT(worst.speed, thickness > 0 ? 0.012 : 0.025);
     EXPECT_LT(worst.level, 0.001);
   }
+}
+
+/// Of any tank at rest, speeds and pressures against its level along gravity [-, m/s].
+Worst watch_any(const Parameters& p, double settle, double end, const std::function<double(const Float3&)>& depth_at) {
+  const auto simulation = make_simulation(p, 0);
+  const double weight = p.fluid.density * p.gravity.size();
+  Worst worst;
+  run(*simulation, end / 20, end, [&](const Frame& frame) {
+    if (frame.time < settle) return;
+    double sum = 0;
+    long count = 0;
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+      if (frame.kind[i] != Kind::fluid) continue;
+      sum += std::pow(frame.pressure[i] - weight * depth_at(frame.position[i]), 2);
+      ++count;
+    }
+    worst.pressure_error =
+        std::max(worst.pressure_error, std::sqrt(sum / static_cast<double>(count)) / (weight * p.fluid.depth));
+    worst.speed = std::max(worst.speed, fastest(frame));
+  });
+  EXPECT_EQ(simulation->statistics().leaked, 0);
+  return worst;
+}
+
+TEST(StillTank, KeepsTwoLevelsBesideADivider) {
+  Parameters p = baffled(0.01, 0.5);
+  p.fluid.seeds = {{.x = 0.1, .y = 0.05, .z = 0, .depth = 0.2}, {.x = 0.4, .y = 0.05, .z = 0, .depth = 0.1}};
+  const Worst worst =
+      watch_any(p, 1, 2, [](const Float3& r) { return (r[0] < 0.25 ? 0.2 : 0.1) - static_cast<double>(r[1]); });
+  EXPECT_LT(worst.pressure_error, 0.001);
+  EXPECT_LT(worst.speed, 0.015);
+}
+
+// A box that leans by 20 degrees is a box turned by 20 degrees.
+TEST(StillTank, KeepsItsLevelWhereItLeans) {
+  Parameters p = still_tank(0.5, 0.25, 0.3, 0.01);
+  const double angle = M_PI / 9, c = std::cos(angle), s = std::sin(angle);
+  p.gravity = Gravity({-9.81 * s, -9.81 * c, 0});
+  const Worst worst = watch_any(p, 1, 2, [&](const Float3& r) { return p.fluid.depth - (s * r[0] + c * r[1]); });
+  EXPECT_LT(worst.pressure_error, 0.0015);
+  EXPECT_LT(worst.speed, 0.02);
+}
+
+TEST(StillTank, IsStillInASphere) {
+  Parameters p;
+  p.tank = {.shape = TankShape::sphere, .length = 0, .height = 0, .radius = 0.25};
+  p.fluid.depth = 0.25;
+  p.particles.spacing = 0.25 / 10;
+  const Worst worst = watch_any(p, 0.4, 1, [](const Float3& r) { return 0.25 - static_cast<double>(r[1]); });
+  EXPECT_LT(worst.pressure_error, 0.003);
+  EXPECT_LT(worst.speed, 0.03);
 }
 
 // Nothing passes a divider, however the tank moves.

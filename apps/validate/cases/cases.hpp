@@ -15,5 +15,8 @@ Findings dam_break(Bench& bench);
 Findings roll(Bench& bench);
 Findings paper(Bench& bench);
 Findings tanks(Bench& bench);
+Findings tanks_3d(Bench& bench);
+Findings tanks_moved(Bench& bench);
+Findings spheric10(Bench& bench);
 
 }  // namespace seiche::apps::validate

@@ -27,7 +27,7 @@ double best_shift(const Series& run, const Series& data) {
 Findings dam_break(Bench& bench) {
   Series run;  // in the data's units: columns over t sqrt(2 g/a)
   const Parameters p = bench.scene("dam-break", {}).parameters;
-  const double column = p.fluid.column, unit = std::sqrt(column / (2 * p.gravity));
+  const double column = p.fluid.column, unit = std::sqrt(column / (2 * p.gravity.size()));
   const auto look = [&](const Frame& frame, const RunInfo& info) {
     run.t.push_back(frame.time / unit);
     run.y.push_back(front(frame, info.spacing) / column);

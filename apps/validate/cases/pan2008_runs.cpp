@@ -24,7 +24,7 @@ References read_references(const Bench& bench) {
 
 double Run::weight() const {
   const Parameters& p = recording.parameters;
-  return p.fluid.density * p.gravity * p.fluid.depth;
+  return p.fluid.density * p.gravity.size() * p.fluid.depth;
 }
 
 Run make_run(Bench& bench, double spacing, double end) {

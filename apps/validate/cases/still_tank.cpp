@@ -37,9 +37,10 @@ StillTank make_run(Bench& bench, const std::string& scene) {
                  .error = {},
                  .speed = {},
                  .flags = {}};
-  const auto look = [&tank](const Frame& frame, const RunInfo& run) {
+  const StillPressure still(p);
+  const auto look = [&tank, &still](const Frame& frame, const RunInfo&) {
     for (Series* series : {&tank.error, &tank.speed}) series->t.push_back(frame.time / tank.froude);
-    tank.error.y.push_back(100 * hydrostatic_error(frame, run));
+    tank.error.y.push_back(100 * still.error(frame));
     tank.speed.y.push_back(1000 * greatest_speed(frame) / tank.froude);
     tank.flags.see(frame);
   };

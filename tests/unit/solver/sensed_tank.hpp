@@ -11,7 +11,7 @@ struct SensedTank {
   Parameters p;
   std::shared_ptr<const Shape<D>> shape = make_shape<D>(p);
   State<D> s = fill_tank<D>(p, *shape);
-  double weight = p.fluid.density * p.gravity;  ///< rho g [Pa/m]
+  double weight = p.fluid.density * p.gravity.size();  ///< rho g [Pa/m]
 
   explicit SensedTank(const Parameters& parameters = small_tank<D>()) : p(parameters) {}
 
@@ -23,7 +23,7 @@ struct SensedTank {
 
   SensorSite<D> site() const { return {p, *shape, s}; }
 
-  SurfaceProfile<D> profile() const { return {*shape, p.particles.spacing, s}; }
+  SurfaceProfile<D> profile() const { return {*shape, p.gravity, p.particles.spacing, s}; }
 
   /// A point in 2-D; in 3-D midway across.
   static Vec<D> at(double x, double y) {

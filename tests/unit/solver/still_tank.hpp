@@ -33,7 +33,7 @@ struct StillTank {
   Scalars n = Scalars(s.size());
   Scalars count = Scalars(s.size());
   std::vector<std::uint8_t> near = std::vector<std::uint8_t>(s.size());
-  Vec<D> slope = -p.fluid.density * p.gravity * Vec<D>::Unit(1);
+  Vec<D> slope = -p.fluid.density * p.gravity.size() * Vec<D>::Unit(1);
   mutable Vecs<D> slopes;
 
   explicit StillTank(const Parameters& parameters = small_tank<D>()) : p(parameters) { find_surface(); }
@@ -50,7 +50,7 @@ struct StillTank {
   void wet_walls() {
     WallWetness<D> wetness(w, l0);
     wetness.relist(list, s);
-    wetness(pairs(), ref.n0, s);
+    wetness(pairs(), ref.n0, Vec<D>::Unit(1), s);
     find_surface();
   }
 

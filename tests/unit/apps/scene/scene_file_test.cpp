@@ -26,7 +26,7 @@ TEST(SceneFile, AnEmptyOneIsTheDefaultScene) {
 TEST(SceneFile, KeysReachTheirMembers) {
   const Scene scene =
       parse_scene("gravity = 1.6\n[tank]\nlength = 1\nclosed = false\n[look]\nwalls = false\n", "x.toml", {});
-  EXPECT_EQ(scene.parameters.gravity, 1.6);
+  EXPECT_EQ(scene.parameters.gravity.size(), 1.6);
   EXPECT_EQ(scene.parameters.tank.length, 1.0);
   EXPECT_FALSE(scene.parameters.tank.closed);
   EXPECT_FALSE(scene.look.show_walls);

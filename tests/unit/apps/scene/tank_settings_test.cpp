@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "apps/scene/scene_file.hpp"
@@ -57,6 +58,34 @@ TEST(TankSettings, PointsComeFromTheirFile) {
   EXPECT_TRUE(test::tells(error_of("[tank]\nshape = \"prism\"\npoints = [[0, 0], [1, 0], [0, 1]]\nfile = \"a.csv\"\n"
                                    "[fluid]\nfill = 0.5\n"),
                           {"x.toml", "tank.points", "tank.file", "leave one"}));
+}
+
+TEST(TankSettings, SeedsTakeTheLiquidsDepthOrTheirOwn) {
+  const std::string seeds = "[[fluid.seed]]\nx = 0.1\ny = 0.05\n[[fluid.seed]]\nx = 0.5\ny = 0.05\ndepth = 0.25\n";
+  const Parameters::Fluid fluid = parse_scene("[fluid]\ndepth = 0.1\n" + seeds, "x.toml", {}).parameters.fluid;
+  ASSERT_EQ(fluid.seeds.size(), 2U);
+  EXPECT_EQ(fluid.seeds[0].depth, 0.1);
+  EXPECT_EQ(fluid.seeds[1].depth, 0.25);
+  EXPECT_EQ(fluid.depth, 0.25) << "the greatest";
+  EXPECT_TRUE(test::tells(error_of("[fluid]\nfill = 0.5\n" + seeds), {"x.toml", "fluid.fill", "[[fluid.seed]]", "depth"}));
+  EXPECT_TRUE(test::tells(error_of(ball + seeds), {"x.toml", "[[fluid.seed]]", "x = 0.1", "depth"}));
+}
+
+TEST(TankSettings, GravityIsANumberOrAVector) {
+  const auto gravity_of = [](const std::string& text) { return parse_scene(text, "x.toml", {}).parameters.gravity; };
+  EXPECT_EQ(gravity_of("gravity = 1.6\n").size(), 1.6);
+  const Gravity leaning = gravity_of("gravity = [1, -9, 0]\n[fluid]\ndepth = 0.1\n");
+  EXPECT_EQ(leaning[0], 1);
+  EXPECT_EQ(leaning[1], -9);
+  EXPECT_TRUE(gravity_of("gravity = [0, -9.81, 0]\n").is_upright());
+  EXPECT_TRUE(test::tells(error_of("gravity = [1, 2]\n"), {"x.toml:1", "gravity", "2 numbers", "list of 3"}));
+  EXPECT_TRUE(test::tells(error_of("gravity = [0, -200, 0]\n"), {"x.toml:1", "gravity", "out of range", "-100"}));
+}
+
+// Half the height of a box that leans by 45 degrees is half its diagonal's.
+TEST(TankSettings, FillHeightIsAgainstGravity) {
+  const double depth = depth_of("gravity = [5, -5, 0]\n[tank]\nlength = 0.4\nheight = 0.4\n[fluid]\nfill_height = 0.5\n");
+  EXPECT_NEAR(depth, 0.2 * std::sqrt(2.0), 1e-12);
 }
 
 TEST(TankSettings, AMeshComesFromItsFileInItsUnit) {

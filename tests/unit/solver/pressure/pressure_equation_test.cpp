@@ -30,11 +30,11 @@ struct TankAtRest {
         s(fill_tank<D>(p)),
         near(p, Vec<D>::Constant(-0.05), Vec<D>::Constant(0.3), longest_support(p.method)),
         walls(make_walls<D>(p, near.density.w)),
-        equation(p, std::sqrt(p.gravity * p.fluid.depth)) {
+        equation(p, std::sqrt(p.gravity.size() * p.fluid.depth)) {
     near.list.build(s);
     walls->relist(near.list, s);
     near.measure(s);
-    walls->wet(near.density, s);
+    walls->wet(near.density, Vec<D>::Unit(1), s);
     SurfaceDetection<D> detect(p.method);
     detect(near.density, s);
     forces.set_body(Gravity{}, p.fluid.density, s);

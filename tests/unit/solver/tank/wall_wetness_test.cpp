@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/unit/solver/still_tank.hpp"
 
 namespace seiche::solver {
@@ -53,6 +55,36 @@ TYPED_TEST(Wetness, IsPartialAtAContactLineThatSinks) {
     }
   }
   EXPECT_EQ(drying, D == 2 ? 1 : 6);
+}
+
+// Under a wall that leans over it by 30 degrees liquid fills 120 degrees below its level; beside an upright one, 90.
+TYPED_TEST(Wetness, UnderALeaningWallTakesAWiderAngleOfLiquid) {
+  constexpr int D = TypeParam::D;
+  StillTank<D> upright, leaning;
+  const double angle = std::numbers::pi / 6;
+  for (StillTank<D>* tank : {&upright, &leaning}) {
+    for (std::size_t i = 0; i < tank->s.size(); ++i)
+      if (tank->s.kind[i] == Kind::fluid && tank->s.position[i][1] > tank->p.fluid.depth - l0)
+        tank->s.position[i][1] -= 0.5 * l0;
+    tank->list = test::listed(tank->s, tank->w.support, 0.3 * l0);
+  }
+  WallWetness<D> wetness(upright.w, l0);
+  for (StillTank<D>* tank : {&upright, &leaning}) {
+    const Vec<D> up = tank == &upright ? Vec<D>(Vec<D>::Unit(1))
+                                       : Vec<D>(std::cos(angle) * Vec<D>::Unit(1) - std::sin(angle) * Vec<D>::Unit(0));
+    wetness.relist(tank->list, tank->s);
+    wetness(tank->pairs(), tank->ref.n0, up, tank->s);
+  }
+  int drying = 0;
+  for (std::size_t i = 0; i < upright.s.size(); ++i) {
+    const double wet = upright.s.wet[i];
+    if (upright.s.kind[i] != Kind::wall || upright.s.normal[i][0] != -1 || wet <= 0 || wet >= 1) continue;
+    // s = above + wet (level - above), and both thresholds are 4/3 of what they were.
+    const double above = wetness.above(), level = wetness.level(), s = above + wet * (level - above);
+    EXPECT_NEAR(leaning.s.wet[i], std::max(0.0, (s - 4.0 / 3 * above) / (4.0 / 3 * (level - above))), 1e-9);
+    ++drying;
+  }
+  EXPECT_GT(drying, 0);
 }
 
 TYPED_TEST(Wetness, LetsTheContactLineBeSeenAsFreeSurface) {
