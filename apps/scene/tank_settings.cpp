@@ -105,10 +105,10 @@ void settle_tank(Scene& scene, const std::filesystem::path& folder) {
   read_file(scene, folder);
   const bool seeded = !p.fluid.seeds.empty();
   if (seeded && given.fill + given.volume > 0)
-    throw BadParameters(
-        fmt::format("fluid.{} tells how full all of the tank is; give each [[fluid.seed]] its depth, or [fluid] a depth "
-                    "or a fill_height",
-                    given.fill > 0 ? "fill" : "volume"));
+    throw BadParameters(fmt::format(
+        "fluid.{} tells how full all of the tank is; give each [[fluid.seed]] its depth, or [fluid] a depth "
+        "or a fill_height",
+        given.fill > 0 ? "fill" : "volume"));
   if (!seeded && p.fluid.depth + given.fill + given.fill_height + given.volume == 0)
     throw BadParameters("[fluid] doesn't tell how full the tank is; give depth, fill, fill_height or volume");
   check_tank(p);

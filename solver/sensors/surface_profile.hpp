@@ -14,7 +14,8 @@ LiquidLattice<D> lattice_of_columns(const Shape<D>& tank, const Gravity& gravity
   return {bounds, bounds.high[1], l0, axes};
 }
 
-/// The water surface over the columns of the lattice, which stand upright on the level: for each the highest crossing of half of the fluid fraction
+/// The water surface over the columns of the lattice, which stand upright on the level: for each the highest crossing
+/// of half of the fluid fraction
 ///   phi(x, y) = (sum_fluid W + sum_wall n^2 v s W) / (1 - sum_wall (1 - n^2) v W),   W as LatticeColumns has it.
 /// n is how far the wall at a wall particle faces up or down, the y of the direction to its nearest point in the tank.
 /// Beside a wall the fluid goes on as it is at the same height; below the floor as in a mirror: a particle of volume v
@@ -35,8 +36,7 @@ class SurfaceProfile {
     columns_.resize(static_cast<std::size_t>(count(0)) * count(1));
     height_.resize(columns_.size());
     for (Column& column : columns_) column.below.assign(1, 0);
-    lattice_.each(
-        [&](const Cell& cell) { columns_[number(cell)].add_cell(lattice_.part_inside(tank, cell).share); });
+    lattice_.each([&](const Cell& cell) { columns_[number(cell)].add_cell(lattice_.part_inside(tank, cell).share); });
     add_walls(tank, walls);
   }
 
@@ -54,7 +54,8 @@ class SurfaceProfile {
   /// Columns along x, and along z (1 in 2-D).
   int count(int axis) const { return axis == 0 ? lattice_.count[0] : D == 3 ? lattice_.count[D - 1] : 1; }
 
-  /// The surface's y along the lattice's axes [m] in column i + count(0) k, the column's bottom where there is no water.
+  /// The surface's y along the lattice's axes [m] in column i + count(0) k, the column's bottom where there is no
+  /// water.
   double height(int column) const { return height_[column]; }
 
   /// Space below the surface [m^2 in 2-D, m^3].

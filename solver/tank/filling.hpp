@@ -57,8 +57,7 @@ void add_liquid(const Parameters& p, const Shape<D>& tank, const Pool<D>& pool, 
     else
       cut.add(cell, number, inside.share, inside.centroid);
   // Liquid that begins as a column stands in a box, which cuts no cell.
-  if (whole < static_cast<long>(pool.parts.size()))
-    cut.choose(std::lround(pool.volume / std::pow(l0, D)) - whole);
+  if (whole < static_cast<long>(pool.parts.size())) cut.choose(std::lround(pool.volume / std::pow(l0, D)) - whole);
   for (const auto& [cell, number, inside] : pool.parts) {
     if (inside.share < 1 && !cut.has_particle(cell, number)) continue;
     Vec<D> r = inside.share < 1 ? off_the_wall(tank, inside.centroid, 0.1 * l0) : inside.centroid;

@@ -38,9 +38,7 @@ struct LiquidLattice {
   }
 
   /// The one in which a place in the tank's frame lies.
-  Cell cell_at(const Vec<D>& r) const {
-    return ((axes(r) - corner) / l0).array().floor().template cast<int>();
-  }
+  Cell cell_at(const Vec<D>& r) const { return ((axes(r) - corner) / l0).array().floor().template cast<int>(); }
 
   CellPart<D> part_inside(const Shape<D>& tank, const Cell& cell) const {
     return solver::part_inside(tank, centre(cell), l0, axes);

@@ -21,7 +21,8 @@ Worst watch(const Parameters& p, double settle, double end) {
     worst.speed = std::max(worst.speed, fastest(frame));
     for (std::size_t k = 0; k < frame.readings.time.size(); ++k) {
       const double* row = &frame.readings.values[sensor_columns(p).size() * k];
-      worst.corner = std::max(worst.corner, std::abs(row[0] / (p.fluid.density * p.gravity.size() * p.fluid.depth) - 1));
+      worst.corner =
+          std::max(worst.corner, std::abs(row[0] / (p.fluid.density * p.gravity.size() * p.fluid.depth) - 1));
       worst.level = std::max({worst.level, std::abs(row[1]), std::abs(row[2])});
     }
   });

@@ -12,8 +12,10 @@ std::vector<Case> all_cases() {
       {"roll", "a rolling tank's elevation against linear potential theory", roll},
       {"tanks", "tanks of other shapes and baffles: still water, and the first period against finite elements", tanks},
       {"tanks-3d", "the same in 3-D: a sphere, cylinders, a membrane tank, an STL file", tanks_3d},
-      {"tanks-moved", "such tanks that roll, surge and shake: speed in the lab, force against theory, leaks", tanks_moved},
-      {"spheric10", "a lateral impact against SPHERIC's benchmark 10: when it comes, and the pressure before", spheric10},
+      {"tanks-moved", "such tanks that roll, surge and shake: speed in the lab, force against theory, leaks",
+       tanks_moved},
+      {"spheric10", "a lateral impact against SPHERIC's benchmark 10: when it comes, and the pressure before",
+       spheric10},
       {"paper", "which kernels of the paper's own scheme last", paper},
   };
 }

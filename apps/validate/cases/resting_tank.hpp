@@ -13,11 +13,11 @@ struct Asked {
   std::string title;
   std::string scene;
   std::vector<std::string> settings;
-  double error, speed;                        ///< at rest, at most [%, mm/s]
-  std::optional<double> rms_speed = {};       ///< at rest, at most [mm/s]; none: it isn't asked for
-  std::optional<double> level = {};           ///< volume below the surface, change within [%]
-  std::optional<double> period = {};          ///< within [%]; none: it isn't timed
-  double scale = 1;                           ///< its length over that of the others, about 0.5 m
+  double error, speed;                   ///< at rest, at most [%, mm/s]
+  std::optional<double> rms_speed = {};  ///< at rest, at most [mm/s]; none: it isn't asked for
+  std::optional<double> level = {};      ///< volume below the surface, change within [%]
+  std::optional<double> period = {};     ///< within [%]; none: it isn't timed
+  double scale = 1;                      ///< its length over that of the others, about 0.5 m
   bool in_quick = false;
 };
 

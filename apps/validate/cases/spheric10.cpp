@@ -20,7 +20,9 @@ Findings spheric10(Bench& bench) {
   const Series impact = pressure.between(2.2, 2.7);
   const double at = impact.t[static_cast<std::size_t>(std::ranges::max_element(impact.y) - impact.y.begin())];
 
-  Chart chart{"SPHERIC 10: pressure on the left wall at still level", "t [s]", "p [Pa]",
+  Chart chart{"SPHERIC 10: pressure on the left wall at still level",
+              "t [s]",
+              "p [Pa]",
               {{"run, below 10 Hz", slow.t, slow.y}, {"experiment", record.t, record.y, render::Mark::points}}};
   return {{{"first impact", at, "s", Target{2.34, 2.40}},
            {"pressure below 10 Hz up to 2.3 s, RMS over max", 100 * compare(record, slow, window).of_most(), "%",

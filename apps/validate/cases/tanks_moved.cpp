@@ -19,8 +19,8 @@ constexpr double radius = 0.25;  ///< of the circle [m]
 void roll_circle(Bench& bench, std::vector<Figure>& figures) {
   double fastest = 0;
   bench.run("tanks/circle",
-            {"motion.type=roll", "motion.amplitude=10", "motion.frequency=0.5", "motion.start=smooth",
-             "motion.ramp=1", fmt::format("motion.pivot_y={}", radius), "time.end=5"},
+            {"motion.type=roll", "motion.amplitude=10", "motion.frequency=0.5", "motion.start=smooth", "motion.ramp=1",
+             fmt::format("motion.pivot_y={}", radius), "time.end=5"},
             [&](const Frame& frame, const RunInfo&) {
               for (std::size_t i = 0; i < frame.size(); ++i) {
                 if (frame.kind[i] != Kind::fluid) continue;
@@ -54,14 +54,13 @@ void surge_circle(Bench& bench, std::vector<Figure>& figures) {
     theory += slosh_mass[n] * share * share * lambda[0] / (lambda[n] - share * share * lambda[0]);
   const double g = bench.scene("tanks/circle", {}).parameters.gravity.size();
   const double omega = share * std::sqrt(lambda[0] * g / radius), period = 2 * std::numbers::pi / omega;
-  const Recording run = bench.run(
-      "tanks/circle",
-      {"motion.type=surge", fmt::format("motion.amplitude={}", amplitude),
-       fmt::format("motion.frequency={}", 1 / period), "motion.start=smooth", fmt::format("motion.ramp={}", 2 * period),
-       fmt::format("time.end={}", 8 * period), "output.frame_rate=5"});
+  const Recording run = bench.run("tanks/circle", {"motion.type=surge", fmt::format("motion.amplitude={}", amplitude),
+                                                   fmt::format("motion.frequency={}", 1 / period),
+                                                   "motion.start=smooth", fmt::format("motion.ramp={}", 2 * period),
+                                                   fmt::format("time.end={}", 8 * period), "output.frame_rate=5"});
   const Parameters& p = run.parameters;
-  const double mass = static_cast<double>(run.statistics.fluid_particles) * p.fluid.density *
-                      p.particles.spacing * p.particles.spacing;
+  const double mass =
+      static_cast<double>(run.statistics.fluid_particles) * p.fluid.density * p.particles.spacing * p.particles.spacing;
   const double force = in_phase(run.sensors.at("force_x").between(2 * period, 8 * period), omega);
   figures.push_back({"circle in surge: force over m A omega^2 less that of theory, of it",
                      100 * (force / (mass * amplitude * omega * omega) / theory - 1), "%", within(0.5)});
@@ -73,8 +72,10 @@ void shake(Bench& bench, std::vector<Figure>& figures) {
     std::string title, scene;
     double frequency;  ///< [Hz]
   };
-  for (const Shaken& tank : {Shaken{"circle", "tanks/circle", 1.1608}, {"chamfer", "tanks/chamfer", 1.0017},
-                             {"baffle", "tanks/baffle", 1.0466}, {"plate", "tanks/plate", 1.0693},
+  for (const Shaken& tank : {Shaken{"circle", "tanks/circle", 1.1608},
+                             {"chamfer", "tanks/chamfer", 1.0017},
+                             {"baffle", "tanks/baffle", 1.0466},
+                             {"plate", "tanks/plate", 1.0693},
                              {"sphere", "tanks/sphere", 1.2453}}) {
     const Recording run = bench.run(
         tank.scene, {"motion.type=surge", "motion.amplitude=0.03", fmt::format("motion.frequency={}", tank.frequency),
@@ -93,16 +94,15 @@ void compare_box(Bench& bench, std::vector<Figure>& figures) {
     settings.insert(settings.end(), shape.begin(), shape.end());
     const Recording run = bench.run("pan2008", settings);
     const double weight = run.parameters.fluid.density * run.parameters.gravity.size() * run.parameters.fluid.depth;
-    return std::pair{
-        std::max(compare(theory.left, run.sensors.at("eta_left"), {0, 3}).relative_l2(),
-                 compare(theory.right, run.sensors.at("eta_right"), {0, 3}).relative_l2()),
-        100 * compare(theory.pressure, run.sensors.at("p_left_bottom"), {0.5, 3, weight}).of_most()};
+    return std::pair{std::max(compare(theory.left, run.sensors.at("eta_left"), {0, 3}).relative_l2(),
+                              compare(theory.right, run.sensors.at("eta_right"), {0, 3}).relative_l2()),
+                     100 * compare(theory.pressure, run.sensors.at("p_left_bottom"), {0.5, 3, weight}).of_most()};
   };
   const auto [box_level, box_pressure] = differences({});
-  const auto [level, pressure] = differences(
-      {"tank.shape=prism", "tank.points=[[0, 0], [0.6, 0], [0.6, 0.4], [0, 0.4]]",
-       "sensors.gauge=[{name = \"left\", x = 0}, {name = \"right\", x = 0.6}]",
-       "sensors.pressure=[{name = \"left_bottom\"}]"});
+  const auto [level, pressure] =
+      differences({"tank.shape=prism", "tank.points=[[0, 0], [0.6, 0], [0.6, 0.4], [0, 0.4]]",
+                   "sensors.gauge=[{name = \"left\", x = 0}, {name = \"right\", x = 0.6}]",
+                   "sensors.pressure=[{name = \"left_bottom\"}]"});
   figures.push_back({"pan2008 as a box, 10 mm: worse wall's elevation, relative L2, 0-3 s", box_level, "", {}});
   figures.push_back({"pan2008 as a polygon: the same", level, "", at_most(box_level + 0.026)});
   figures.push_back({"pan2008 as a box, 10 mm: corner pressure, RMS over max, 0.5-3 s", box_pressure, "%", {}});

@@ -67,7 +67,8 @@ TEST(TankSettings, SeedsTakeTheLiquidsDepthOrTheirOwn) {
   EXPECT_EQ(fluid.seeds[0].depth, 0.1);
   EXPECT_EQ(fluid.seeds[1].depth, 0.25);
   EXPECT_EQ(fluid.depth, 0.25) << "the greatest";
-  EXPECT_TRUE(test::tells(error_of("[fluid]\nfill = 0.5\n" + seeds), {"x.toml", "fluid.fill", "[[fluid.seed]]", "depth"}));
+  EXPECT_TRUE(
+      test::tells(error_of("[fluid]\nfill = 0.5\n" + seeds), {"x.toml", "fluid.fill", "[[fluid.seed]]", "depth"}));
   EXPECT_TRUE(test::tells(error_of(ball + seeds), {"x.toml", "[[fluid.seed]]", "x = 0.1", "depth"}));
 }
 
@@ -84,7 +85,8 @@ TEST(TankSettings, GravityIsANumberOrAVector) {
 
 // Half the height of a box that leans by 45 degrees is half its diagonal's.
 TEST(TankSettings, FillHeightIsAgainstGravity) {
-  const double depth = depth_of("gravity = [5, -5, 0]\n[tank]\nlength = 0.4\nheight = 0.4\n[fluid]\nfill_height = 0.5\n");
+  const double depth =
+      depth_of("gravity = [5, -5, 0]\n[tank]\nlength = 0.4\nheight = 0.4\n[fluid]\nfill_height = 0.5\n");
   EXPECT_NEAR(depth, 0.2 * std::sqrt(2.0), 1e-12);
 }
 
