@@ -7,7 +7,7 @@
 #include "solver/step/snapshot.hpp"
 #include "solver/tank/filling.hpp"
 #include "solver/tank/lost_particles.hpp"
-#include "solver/tank/standing_wave.hpp"
+#include "solver/modes/standing_wave.hpp"
 
 // A run of Mps: how it starts, takes a step, hands out frames and goes on from a state.
 namespace seiche::solver {
@@ -35,7 +35,7 @@ Mps<D>::Mps(const Parameters& p, double sample_interval)
   find_surface();
   settle();
   if (p.fluid.wave_amplitude != 0) {
-    const StandingWave wave(p, tank_->bounds().size()[0]);
+    const modes::StandingWave wave(p, tank_->bounds().size()[0]);
     each_fluid(s_, [&](int i) { s_.velocity[i] = wave.velocity<D>(s_.position[i]); });
   }
   if (motion_.jumps()) start_at_rest_in_lab();

@@ -1,4 +1,4 @@
-#include "solver/tank/standing_wave.hpp"
+#include "solver/modes/standing_wave.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ namespace {
 Recording follow(Bench& bench, double viscosity, std::vector<std::string> settings, Series& q) {
   settings.insert(settings.end(), {fmt::format("fluid.viscosity={:g}", viscosity), "output.frame_rate=100"});
   const Parameters p = bench.scene("standing-wave", settings).parameters;
-  const solver::StandingWave wave(p, tank_surface(p).size()[0]);
+  const solver::modes::StandingWave wave(p, tank_surface(p).size()[0]);
   return bench.run("standing-wave", settings, [&](const Frame& frame, const RunInfo&) {
     double along = 0, whole = 0;
     for (std::size_t i = 0; i < frame.size(); ++i) {

@@ -8,7 +8,7 @@
 #include "solver/operators/divergence.hpp"
 #include "solver/operators/strain_rate.hpp"
 #include "solver/pressure/pressure_solver.hpp"
-#include "solver/tank/standing_wave.hpp"
+#include "solver/modes/standing_wave.hpp"
 #include "tests/unit/solver/still_tank.hpp"
 
 namespace seiche::solver {
@@ -78,7 +78,7 @@ TEST(SurfacePressure, LetsTheLiquidFeelTheNormalViscousStress) {
   p.fluid.depth = 0.2;
   p.fluid.wave_amplitude = 0.005;
   StillTank<2> tank(p);
-  const StandingWave wave(p, p.tank.length);
+  const modes::StandingWave wave(p, p.tank.length);
   State<2>& s = tank.s;
   for (std::size_t i = 0; i < s.size(); ++i)
     if (s.kind[i] == Kind::fluid) s.velocity[i] = wave.velocity<2>(s.position[i]);

@@ -5,7 +5,7 @@
 #include "solver/parameters.hpp"
 #include "solver/particles/vec.hpp"
 
-namespace seiche::solver {
+namespace seiche::solver::modes {
 
 /// The linear standing wave of a tank, as it is when its surface passes through flat (H. Lamb, Hydrodynamics, 6th ed.,
 /// 1932, art. 228 and 257):
@@ -33,4 +33,4 @@ struct StandingWave {
   }
 };
 
-}  // namespace seiche::solver
+}  // namespace seiche::solver::modes

@@ -1,4 +1,4 @@
-#include "solver/tank/standing_wave.hpp"
+#include "solver/modes/standing_wave.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ Parameters tank_with_wave(int mode) {
 TEST(StandingWave, HasTheElevationsAmplitude) {
   // k = pi/0.6, omega^2 = 9.81 k tanh(0.2 k), omega = 6.3325688/s (1.00786 Hz): the surface rises at A omega at the
   // left wall.
-  const StandingWave wave(tank_with_wave(1), tank_with_wave(1).tank.length);
+  const modes::StandingWave wave(tank_with_wave(1), tank_with_wave(1).tank.length);
   EXPECT_NEAR(wave.velocity<2>({0, 0.2})[1], 0.004 * 6.3325688, 1e-7);
   EXPECT_NEAR(wave.velocity<2>({0.6, 0.2})[1], -0.004 * 6.3325688, 1e-7);
   // Half way along the tank and up: u = -A g k/omega cosh(k h/2)/cosh(k h).
@@ -27,7 +27,7 @@ TEST(StandingWave, HasTheElevationsAmplitude) {
 
 TEST(StandingWave, FlowsAlongWallsAndFloorAndHasNoDivergence) {
   for (const int mode : {1, 2, 5}) {
-    const StandingWave wave(tank_with_wave(mode), tank_with_wave(mode).tank.length);
+    const modes::StandingWave wave(tank_with_wave(mode), tank_with_wave(mode).tank.length);
     for (const double s : {0.01, 0.07, 0.13, 0.19}) {
       EXPECT_NEAR(wave.velocity<2>({0, s})[0], 0, 1e-15);
       EXPECT_NEAR(wave.velocity<2>({0.6, s})[0], 0, 1e-15);
@@ -45,7 +45,7 @@ TEST(StandingWave, IsWhatASimulationStartsWith) {
     Parameters p = tank_with_wave(2);
     p.tank.width = width;
     const FramePtr frame = make_simulation(p, 0)->frame(0);
-    const StandingWave wave(p, p.tank.length);
+    const modes::StandingWave wave(p, p.tank.length);
     for (std::size_t i = 0; i < frame->size(); ++i) {
       const auto& [x, y, z] = frame->position[i];
       const Vec<2> u = frame->kind[i] == Kind::fluid ? wave.velocity<2>({x, y}) : Vec<2>(0, 0);
