@@ -43,6 +43,10 @@ enum class MotionType { none, harmonic, harmonics, file };
 enum class Start { impulsive, smooth };
 /// What a pressure sensor makes of the pressures on its area.
 enum class PressureReading { mean, maximum };
+/// Which end of the liquid on its line a wave gauge reads.
+enum class Crossing { highest, lowest };
+/// In whose axes, as they are at a time, a load is told.
+enum class LoadAxes { tank, lab };
 enum class TankShape { box, prism, membrane, cylinder, sphere, revolve, mesh };
 enum class Axis { x, y, z };
 /// Ends of a cylinder.
@@ -125,6 +129,18 @@ template <>
 struct ChoiceTable<PressureReading> {
   static constexpr std::array rows{Choice{PressureReading::mean, "mean", "of the area"},
                                    Choice{PressureReading::maximum, "maximum", "of the area, its edge included"}};
+};
+
+template <>
+struct ChoiceTable<Crossing> {
+  static constexpr std::array rows{
+      Choice{Crossing::highest, "highest", "the end of the topmost liquid on the line"},
+      Choice{Crossing::lowest, "lowest", "the end of the liquid that begins where the line does"}};
+};
+template <>
+struct ChoiceTable<LoadAxes> {
+  static constexpr std::array rows{Choice{LoadAxes::tank, "tank", "turn with the tank"},
+                                   Choice{LoadAxes::lab, "lab", "stand still"}};
 };
 
 template <>

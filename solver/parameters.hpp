@@ -98,18 +98,29 @@ struct Parameters {
     PressureReading reading = PressureReading::mean;
   };
 
-  /// A wave gauge: the surface's height above still level along a vertical line.
+  /// A wave gauge: how far beyond still level the surface crosses a line.
   struct WaveGauge {
-    std::string name;     ///< as in "left": column "eta_left [m]"
-    double x = 0, z = 0;  ///< [m]
+    std::string name;                   ///< as in "left": column "eta_left [m]"
+    double x = 0, z = 0, y = 0;         ///< a point of the line [m]; y counts where it has a direction
+    std::array<double, 3> direction{};  ///< of the line; 0: up, against gravity
+    Crossing crossing = Crossing::highest;
+  };
+
+  /// Force and moment of the liquid on a part of the wall.
+  struct LoadSensor {
+    std::string name;               ///< as in "floor": column "force_x_floor [N]"
+    std::string on = "tank";        ///< "tank", or a patch of its wall, as in "floor" or "baffle_1"
+    std::array<double, 3> about{};  ///< the point of the tank that moments are about [m]
+    LoadAxes axes = LoadAxes::tank;
   };
 
   struct Sensors {
     std::vector<PressureSensor> pressure;  ///< none: one at the left bottom corner
     std::vector<WaveGauge> gauge;          ///< none: one at the left wall, one at the right
-    bool force = true;                     ///< on the walls, and moment about the pivot
-    bool energy = true;                    ///< kinetic and potential
-    bool volume = true;                    ///< of the liquid, and its centre of mass
+    std::vector<LoadSensor> load;
+    bool force = true;   ///< on the walls, and moment about the pivot
+    bool energy = true;  ///< kinetic and potential
+    bool volume = true;  ///< of the liquid, and its centre of mass
   } sensors;
 
   struct Particles {

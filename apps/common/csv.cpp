@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string_view>
 
 #include "apps/common/errors.hpp"
@@ -52,6 +53,10 @@ double Csv::number(std::size_t row, std::size_t column) const {
     refuse(row, fmt::format("{} = '{}'; expected a number, as in -1.5e-3", title, cell));
   if (!std::isfinite(value)) refuse(row, fmt::format("{} = {}; expected a finite number", title, cell));
   return value;
+}
+
+double Csv::number_or_gap(std::size_t row, std::size_t column) const {
+  return rows_[row][column].empty() ? std::numeric_limits<double>::quiet_NaN() : number(row, column);
 }
 
 CsvTitle parted(const std::string& title) {

@@ -14,10 +14,11 @@ class Csv {
   const std::vector<std::string>& titles() const { return titles_; }
   std::size_t rows() const { return rows_.size(); }
 
-  bool is_empty(std::size_t row, std::size_t column) const { return rows_[row][column].empty(); }
-
   /// Throws BadScene where the cell holds no finite number.
   double number(std::size_t row, std::size_t column) const;
+
+  /// The same, and NaN where the cell is empty.
+  double number_or_gap(std::size_t row, std::size_t column) const;
 
   /// Throws BadScene with file:line of the header, of a row, or of the last line.
   [[noreturn]] void refuse_header(const std::string& what) const;

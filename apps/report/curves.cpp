@@ -40,7 +40,8 @@ void merge(std::vector<Trace>& traces) {
     return a.series.value.size() < b.series.value.size();
   });
   const auto is_part = [&](const Trace& trace) {
-    return std::equal(trace.series.value.begin(), trace.series.value.end(), longest->series.value.begin());
+    return std::equal(trace.series.value.begin(), trace.series.value.end(), longest->series.value.begin(),
+                      [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
   };
   if (!std::all_of(traces.begin(), traces.end(), is_part)) return;
   traces = {Trace{"all runs", 0, true, false, false, longest->series}};

@@ -48,12 +48,13 @@ std::optional<Error> error_of(const render::Series& elevation, const render::Ser
 }
 
 std::optional<double> drift_of(const render::Series& volume) {
-  const std::size_t count = volume.value.size(), part = count / 10;
+  const std::vector<double> values = finite(volume).y;
+  const auto part = static_cast<std::ptrdiff_t>(values.size() / 10);
   if (part == 0) return {};
   const auto mean = [&](auto first) { return std::accumulate(first, first + part, 0.0) / static_cast<double>(part); };
-  const double before = mean(volume.value.begin());
+  const double before = mean(values.begin());
   if (before == 0) return {};
-  return mean(volume.value.end() - part) / before - 1;
+  return mean(values.end() - part) / before - 1;
 }
 
 std::optional<seiche::Column> first_of(const std::vector<seiche::Column>& columns, ColumnKind kind) {

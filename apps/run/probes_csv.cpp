@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -26,7 +27,10 @@ class ProbesCsv : public Sink {
     auto value = frame->readings.values.begin();
     for (const double time : frame->readings.time) {
       fmt::format_to(std::back_inserter(rows), "{:.6f}", time);
-      for (std::size_t i = 0; i < columns_; ++i) fmt::format_to(std::back_inserter(rows), ",{:.7g}", *value++);
+      for (std::size_t i = 0; i < columns_; ++i, ++value) {
+        rows += ',';
+        if (!std::isnan(*value)) fmt::format_to(std::back_inserter(rows), "{:.7g}", *value);  // a gap is empty
+      }
       rows += '\n';
     }
     write(rows);

@@ -23,6 +23,7 @@ Json tables(const List& list, const Scene& scene) {
   for (std::size_t row = 0; row < list.size(scene); ++row) {
     Json& table = result.emplace_back();
     for (const Member& member : list.members) {
+      if (is_of_row(member)) continue;
       std::visit([&](const auto& value) { table[std::string(member.key)] = value; }, value_of(member, scene, row));
     }
   }

@@ -110,7 +110,7 @@ Readings stored_readings(const StoredRun& run) {
     throw BadFolder(fmt::format("{} has other columns than the sensors in run.json", file.string()));
   for (std::size_t row = 0; row < table.rows(); ++row) {
     readings.time.push_back(table.number(row, 0));
-    for (std::size_t k = 1; k < titles.size(); ++k) readings.values.push_back(table.number(row, k));
+    for (std::size_t k = 1; k < titles.size(); ++k) readings.values.push_back(table.number_or_gap(row, k));
   }
   return readings;
 }

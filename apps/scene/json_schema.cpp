@@ -47,6 +47,10 @@ Json key_schema(const Key& key, const Value& value) {
   }
   if (const auto* rule = std::get_if<Pairs>(&key.rule)) schema["items"] = array_of(number_in(rule->range), 2);
   if (const auto* rule = std::get_if<Tuple>(&key.rule)) schema.update(array_of(number_in(rule->range), rule->count));
+  if (const auto* rule = std::get_if<Vector>(&key.rule)) {
+    schema.update(array_of(number_in(rule->range), 3));
+    schema["minItems"] = 2;
+  }
   if (const auto* rule = std::get_if<Tuples>(&key.rule))
     schema["items"] = array_of(number_in(rule->range), rule->count);
   if (const auto* choices = std::get_if<Choices>(&key.rule)) schema["enum"] = *choices;
@@ -64,6 +68,7 @@ Json list_schema(const List& list) {
   for (const Member& member : list.members) {
     Json& schema = table["properties"][std::string(member.key)];
     schema = key_schema(member, value_of(member, example, 0));
+    if (is_of_row(member)) schema.erase("default");
     if (!member.required) continue;
     schema.erase("default");
     table["required"].push_back(member.key);

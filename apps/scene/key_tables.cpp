@@ -33,7 +33,7 @@ std::string list_table(const List& list) {
   list.reset(example, 1);
   std::string result = fmt::format("\n### `{}`\n\n{}\n\n{}", title(list), cell(std::string(list.help)), header);
   for (const Member& member : list.members)
-    result += row(member, member.required ? "required" : shown(value_of(member, example, 0)));
+    result += row(member, member.required ? "required" : is_of_row(member) ? "" : shown(value_of(member, example, 0)));
   return result;
 }
 

@@ -12,8 +12,9 @@ namespace {
 Target target(const Member& member, Scene& scene, std::size_t row) {
   return std::visit(
       [&](const auto& access) -> Target {
-        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(access)>, ChosenInRow>)
-          throw std::logic_error("an enum has no plain member");
+        using Access = std::remove_cvref_t<decltype(access)>;
+        if constexpr (std::is_same_v<Access, ChosenInRow> || std::is_same_v<Access, RowKey>)
+          throw std::logic_error("an enum has no plain member, a row's key none at all");
         else
           return &access(scene, row);
       },
@@ -48,7 +49,7 @@ std::string form(const List& list) {
   return "[{" + keys + "}]";
 }
 
-std::string expected(const Member& member) { return expected(member.rule, member.unit, false); }
+std::string expected(const Member& member) { return expected(member.rule, member.unit, is_of_row(member)); }
 
 std::optional<std::string> assign(const List& list, const Member& member, Scene& scene, std::size_t row,
                                   const Value& value) {
@@ -62,6 +63,7 @@ std::optional<std::string> assign(const List& list, const Member& member, Scene&
 
 Value value_of(const Member& member, const Scene& scene, std::size_t row) {
   if (const auto* chosen = std::get_if<ChosenInRow>(&member.access)) return chosen->get(scene, row);
+  if (is_of_row(member)) return std::holds_alternative<Range>(member.rule) ? Value(std::int64_t{0}) : Value(Numbers());
   Scene copy = scene;  // The table reaches members for writing only; one copy a key is cheap.
   return value_in(target(member, copy, row));
 }

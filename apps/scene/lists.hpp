@@ -17,12 +17,15 @@ struct ChosenInRow {
   void (*set)(Scene&, std::size_t row, std::string_view);
 };
 
+/// What makes a table stand for a row of several: its members are none of the scene's (sensor_rows.hpp).
+enum class RowKey { from, to, count };
+
 /// One key of a list's tables. A table without it keeps the default, unless it is required.
 struct Member {
-  using Access =
-      std::variant<double& (*)(Scene&, std::size_t row), std::string& (*)(Scene&, std::size_t row),
-                   Points& (*)(Scene&, std::size_t row), Triple& (*)(Scene&, std::size_t row),
-                   Triples& (*)(Scene&, std::size_t row), Quadruples& (*)(Scene&, std::size_t row), ChosenInRow>;
+  using Access = std::variant<double& (*)(Scene&, std::size_t row), std::string& (*)(Scene&, std::size_t row),
+                              Points& (*)(Scene&, std::size_t row), Triple& (*)(Scene&, std::size_t row),
+                              Triples& (*)(Scene&, std::size_t row), Quadruples& (*)(Scene&, std::size_t row),
+                              ChosenInRow, RowKey>;
   std::string_view key;
   std::string_view unit;  ///< empty: none
   Access access;
@@ -41,6 +44,9 @@ struct List {
 };
 
 const std::vector<List>& lists();
+
+/// Whether scenes don't keep it.
+inline bool is_of_row(const Member& member) { return std::holds_alternative<RowKey>(member.access); }
 
 const List* find_list(std::string_view section, std::string_view key);
 

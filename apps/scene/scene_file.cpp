@@ -13,6 +13,7 @@
 #include "apps/scene/files/motion_file.hpp"
 #include "apps/scene/files/references.hpp"
 #include "apps/scene/list_settings.hpp"
+#include "apps/scene/sensor_rows.hpp"
 #include "apps/scene/tank_settings.hpp"
 #include "apps/scene/toml_settings.hpp"
 #include "render/check_look.hpp"
@@ -63,7 +64,7 @@ Scene assemble(const Settings& all, std::vector<Complaint>& complaints) {
     if (!is_preset(setting)) put(setting);
   }
   put_one_level(settings, scene, complaints);
-  for (const ListSetting& setting : all.lists) put_list(setting, scene, complaints);
+  for (const ListSetting& setting : all.lists) put_list(rows_laid_out(setting, complaints), scene, complaints);
   return scene;
 }
 

@@ -40,13 +40,15 @@ std::string list_text(const List& list, const Scene& scene, bool explained) {
   std::string result;
   for (std::size_t row = 0; row < list.size(scene); ++row) {
     result += explained ? fmt::format("\n{:<32} # {}\n", title(list), list.help) : fmt::format("\n{}\n", title(list));
-    for (const Member& member : list.members) result += line(member, value_of(member, scene, row), explained);
+    for (const Member& member : list.members)
+      if (!is_of_row(member)) result += line(member, value_of(member, scene, row), explained);
   }
   if (list.size(scene) > 0 || !explained) return result;
   Scene example;
   list.reset(example, 1);
   result += fmt::format("\n# {:<30} # {}\n", title(list), list.help);
-  for (const Member& member : list.members) result += "# " + line(member, value_of(member, example, 0), true);
+  for (const Member& member : list.members)
+    if (!is_of_row(member)) result += "# " + line(member, value_of(member, example, 0), true);
   return result;
 }
 

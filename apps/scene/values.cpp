@@ -109,9 +109,13 @@ std::optional<std::string> put_points(const Slot& slot, Points& target, const Va
 
 std::optional<std::string> put_tuple(const Slot& slot, Triple& target, const Value& value) {
   const auto* numbers = std::get_if<Numbers>(&value);
-  if (!numbers || numbers->size() != target.size()) return refusal(slot, value, "is no list of 3 numbers");
+  const auto* vector = std::get_if<Vector>(&slot.rule);
+  const bool fits = numbers && (numbers->size() == 3 || (vector && numbers->size() == 2));
+  if (!fits) return refusal(slot, value, fmt::format("is no list of {}3 numbers", vector ? "2 or " : ""));
   for (const double number : *numbers)
-    if (!holds(std::get<Tuple>(slot.rule).range, number)) return refusal(slot, value, "is out of range");
+    if (!holds(vector ? vector->range : std::get<Tuple>(slot.rule).range, number))
+      return refusal(slot, value, "is out of range");
+  target = {};
   std::copy(numbers->begin(), numbers->end(), target.begin());
   return {};
 }
@@ -163,6 +167,10 @@ std::string expected(const Rule& rule, std::string_view unit, bool whole) {
                  [&](const Tuple& tuple) {
                    return fmt::format("a list of {} numbers from {} to {}{}", tuple.count, tuple.range.low,
                                       tuple.range.high, unit.empty() ? "" : fmt::format(" [{}]", unit));
+                 },
+                 [&](const Vector& vector) {
+                   return fmt::format("a list of 2 or 3 numbers from {} to {}{}", vector.range.low, vector.range.high,
+                                      unit.empty() ? "" : fmt::format(" [{}]", unit));
                  },
                  [&](const Tuples& tuples) {
                    return fmt::format("a list of lists of {} numbers from {} to {}{}", tuples.count, tuples.range.low,

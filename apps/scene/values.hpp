@@ -72,13 +72,18 @@ struct Tuple {
   std::size_t count;
 };
 
+/// A place or a direction: two numbers, or three where the run is 3-D.
+struct Vector {
+  Range range;
+};
+
 /// A list of lists of so many numbers.
 struct Tuples {
   Range range;
   std::size_t count;
 };
 
-using Rule = std::variant<std::monostate, Range, Choices, Name, Text, OneOr, Pairs, Tuple, Tuples>;
+using Rule = std::variant<std::monostate, Range, Choices, Name, Text, OneOr, Pairs, Tuple, Vector, Tuples>;
 
 /// The member of a scene behind a key.
 using Target = std::variant<double*, int*, bool*, std::string*, Numbers*, Points*, Triple*, Triples*, Quadruples*>;

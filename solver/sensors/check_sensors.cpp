@@ -1,15 +1,17 @@
 #include "solver/sensors/check_sensors.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <set>
 
 #include "solver/errors.hpp"
+#include "solver/sensors/load_sensors.hpp"
 #include "solver/sensors/pressure_sensor.hpp"
 #include "solver/sensors/sensor_kinds.hpp"
 #include "solver/sensors/sensor_list.hpp"
-#include "solver/sensors/wave_gauge.hpp"
+#include "solver/sensors/wave_gauges.hpp"
 
 namespace seiche::solver {
 namespace {
@@ -45,17 +47,54 @@ bool is_in_plane(double z) {
   return D == 3 || std::abs(z) <= place_tolerance;
 }
 
+/// Where a gauge stands, as its keys have it.
 template <int D>
-bool stands_on_liquid(const Parameters& p, const Shape<D>& tank, const Parameters::WaveGauge& gauge) {
-  const Bounds<D> bounds = tank.bounds();
-  const LiquidLattice<D> lattice(bounds, bounds.high[1], p.particles.spacing);
-  return WaveGauge(gauge.x, gauge.z, bounds.low[1] + p.fluid.depth, tank, lattice).reads();
+std::string place_of(const Parameters::WaveGauge& gauge) {
+  if (gauge.direction != std::array<double, 3>{}) return written<D>(Vec<3>(gauge.x, gauge.y, gauge.z).head<D>());
+  return D == 3 || gauge.z != 0 ? fmt::format("x = {:.6g} m, z = {:.6g} m", gauge.x, gauge.z)
+                                : fmt::format("x = {:.6g} m", gauge.x);
+}
+
+template <int D>
+void check_gauges(const Parameters& p, const Shape<D>& tank) {
+  if (p.sensors.gauge.empty()) return;
+  const auto pools = levels_of(p, tank);
+  const auto lattice = lattice_of_columns(tank, p.gravity, p.particles.spacing);
+  const double tolerance = place_tolerance + 1e-6 * p.particles.spacing;
+  for (const auto& gauge : p.sensors.gauge) {
+    check_name("sensors.gauge", gauge.name);
+    const auto refuse = [&](const std::string& what) {
+      throw BadParameters(fmt::format("sensors.gauge '{}' at {}{}", gauge.name, place_of<D>(gauge), what));
+    };
+    if (D == 2 && gauge.direction[2] != 0) refuse(": its direction leaves the plane of a 2-D run");
+    const GaugeLine<D> line = line_of(gauge, tank, pools);
+    const auto columns = WaveGauges<D>::columns_about(gauge, tank, pools, lattice);
+    if (!is_in_plane<D>(gauge.z) || !is_inside<D>(line.point, tank.bounds()))
+      refuse(fmt::format(" is outside the tank: {}", tank.description()));
+    if (columns && !columns->reads())
+      refuse(fmt::format(": the tank has no liquid there at its still level, {}; move it", written<D>(line.point)));
+    if (!columns && tank.nearest(line.point).distance > tolerance)
+      refuse(fmt::format(": the point {} of its line is outside the tank, {}; the nearest point of a wall is {}",
+                         written<D>(line.point), tank.description(), written<D>(tank.nearest(line.point).foot)));
+  }
+}
+
+template <int D>
+void check_loads(const Parameters& p, const Shape<D>& tank) {
+  for (const auto& load : p.sensors.load) {
+    check_name("sensors.load", load.name);
+    const SurfaceMesh wall = tank.surface();
+    if (LoadSensors<D>::patch_of(load, wall) != LoadSensors<D>::none) continue;
+    std::vector<std::string> names{"tank"};
+    for (const auto& patch : wall.patches) names.push_back(patch.name);
+    throw BadParameters(fmt::format("sensors.load '{}': the tank's wall has no patch '{}'; on is one of {}", load.name,
+                                    load.on, fmt::join(names, ", ")));
+  }
 }
 
 template <int D>
 void check_places(const Parameters& p) {
   const auto tank = make_shape<D>(p);
-  const Bounds<D> bounds = tank->bounds();
   const double l0 = p.particles.spacing;
   for (const auto& sensor : p.sensors.pressure) {
     check_name("sensors.pressure", sensor.name);
@@ -72,18 +111,8 @@ void check_places(const Parameters& p) {
     if (!(sensor.side >= 0))
       throw BadParameters(fmt::format("sensors.pressure '{}': side = {:.6g} m is below 0", sensor.name, sensor.side));
   }
-  for (const auto& gauge : p.sensors.gauge) {
-    check_name("sensors.gauge", gauge.name);
-    const double level = bounds.low[1] + p.fluid.depth;
-    if (!is_inside<D>(Vec<3>(gauge.x, level, gauge.z).head<D>(), bounds) || !is_in_plane<D>(gauge.z))
-      throw BadParameters(fmt::format("sensors.gauge '{}' at x = {:.6g} m, z = {:.6g} m is outside the tank: {}",
-                                      gauge.name, gauge.x, gauge.z, tank->description()));
-    if (!stands_on_liquid<D>(p, *tank, gauge))
-      throw BadParameters(fmt::format(
-          "sensors.gauge '{}' at x = {:.6g} m, z = {:.6g} m: the tank has no liquid there at its still level "
-          "y = {:.6g} m; move it",
-          gauge.name, gauge.x, gauge.z, level));
-  }
+  check_gauges(p, *tank);
+  check_loads(p, *tank);
 }
 
 }  // namespace

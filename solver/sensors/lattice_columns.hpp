@@ -63,6 +63,21 @@ class LatticeColumns {
     return all;
   }
 
+  /// The same at any place.
+  double sum(const Vec<D>& r) const {
+    double all = 0;
+    around(cell(r, 0) - beside, D == 3 ? cell(r, D - 1) - beside : 0, beside,
+           [&](const Point* first, const Point* last) {
+             first = std::partition_point(first, last, [&](const Point& point) { return point.r[1] > r[1] + 2 * l0_; });
+             for (; first < last && first->r[1] > r[1] - 2 * l0_; ++first) {
+               double weight = first->weight;
+               for (int a = 0; a < D; ++a) weight *= w(first->r[a] - r[a]);
+               all += weight;
+             }
+           });
+    return all;
+  }
+
   /// sum_j v_j prod_axis max(0, 1 - |r_j - r|/l0) at any place.
   double linear_sum(const Vec<D>& r) const {
     double all = 0;

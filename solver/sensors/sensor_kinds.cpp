@@ -2,11 +2,11 @@
 
 #include "solver/motion/excursion.hpp"
 #include "solver/sensors/energy.hpp"
+#include "solver/sensors/load_sensors.hpp"
 #include "solver/sensors/pressure_sensor.hpp"
 #include "solver/sensors/scales.hpp"
 #include "solver/sensors/volume.hpp"
-#include "solver/sensors/wall_load.hpp"
-#include "solver/sensors/wave_gauge.hpp"
+#include "solver/sensors/wave_gauges.hpp"
 
 namespace seiche::solver {
 namespace {
@@ -30,7 +30,7 @@ std::vector<Column> sensor_columns(const Parameters& p) {
 template <int D>
 const std::vector<SensorKind<D>>& sensor_kinds() {
   static const std::vector<SensorKind<D>> kinds{kind<D, PressureSensors>(), kind<D, WaveGauges>(),
-                                                kind<D, WallLoadSensor>(), kind<D, EnergySensor>(),
+                                                kind<D, LoadSensors>(), kind<D, EnergySensor>(),
                                                 kind<D, VolumeSensor>()};
   return kinds;
 }

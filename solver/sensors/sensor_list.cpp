@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/tank/shape.hpp"
+#include "solver/tank/level_axes.hpp"
 
 namespace seiche::solver {
 
@@ -36,18 +36,26 @@ Parameters::Sensors sensors_of(const Parameters& p) {
   if (!sensors.pressure.empty() && !sensors.gauge.empty()) return sensors;
   const SurfaceMesh tank = wall_surface(p);
   const auto low = tank.low(), high = tank.high();
+  const LevelAxes<3> axes(p.gravity);
   const double middle = low[2] + 0.5 * (high[2] - low[2]);
-  const bool box = p.tank.shape == TankShape::box;
+  const bool box = p.tank.shape == TankShape::box, upright = p.gravity.is_upright();
   if (sensors.pressure.empty() && box) sensors.pressure = {{"left_bottom", low[0], low[1], middle, 0}};
   if (sensors.pressure.empty()) {
-    const auto lowest = *std::min_element(tank.points.begin(), tank.points.end(),
-                                          [](const auto& a, const auto& b) { return a[1] < b[1]; });
+    const auto lowest = *std::min_element(tank.points.begin(), tank.points.end(), [&](const auto& a, const auto& b) {
+      return axes.height(Vec<3>(a.data())) < axes.height(Vec<3>(b.data()));
+    });
     sensors.pressure = {{"bottom", lowest[0], lowest[1], lowest[2], 0}};
   }
   if (!sensors.gauge.empty()) return sensors;
-  auto [left, right] = waterline(tank, low[1] + p.fluid.depth);
-  if (const double tenth = 0.1 * (right - left); !box) left += tenth, right -= tenth;
-  sensors.gauge = {{"left", left, middle}, {"right", right, middle}};
+  const SurfaceMesh level = on_level_axes(tank, p.gravity);
+  const double still = level.low()[1] + p.fluid.depth;
+  auto [left, right] = waterline(level, still);
+  if (const double tenth = 0.1 * (right - left); !box || !upright) left += tenth, right -= tenth;
+  const auto gauge = [&](const char* name, double along) {
+    const Vec<3> place = upright ? Vec<3>(along, 0, middle) : axes.in_tank({along, still, axes({0, 0, middle})[2]});
+    return Parameters::WaveGauge{name, place[0], place[2], place[1]};
+  };
+  sensors.gauge = {gauge("left", left), gauge("right", right)};
   return sensors;
 }
 

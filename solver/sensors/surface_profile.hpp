@@ -1,5 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <limits>
+#include <numeric>
 
 #include "solver/sensors/fluid_cells.hpp"
 #include "solver/sensors/lattice_columns.hpp"
@@ -35,6 +37,7 @@ class SurfaceProfile {
         water_(lattice_) {
     columns_.resize(static_cast<std::size_t>(count(0)) * count(1));
     height_.resize(columns_.size());
+    gas_.resize(columns_.size());
     for (Column& column : columns_) column.below.assign(1, 0);
     lattice_.each([&](const Cell& cell) { columns_[number(cell)].add_cell(lattice_.part_inside(tank, cell).share); });
     add_walls(tank, walls);
@@ -46,10 +49,20 @@ class SurfaceProfile {
     fill_mirrors();
     const int columns = static_cast<int>(height_.size());
 #pragma omp parallel for schedule(static)
-    for (int c = 0; c < columns; ++c) height_[c] = crossing(c);
+    for (int c = 0; c < columns; ++c) {
+      height_[c] = crossing(c);
+      gas_[c] = gas_below(c);
+    }
   }
 
   const LiquidLattice<D>& lattice() const { return lattice_; }
+
+  /// phi at any place in the tank's frame; 0 where walls leave too little of it.
+  double fraction(const Vec<D>& r) const {
+    const Vec<D> at = lattice_.axes(r);
+    const double open = 1 - beside_.sum(at);
+    return open < least_open ? 0 : (water_.sum(at) + mirrored_.sum(at)) / open;
+  }
 
   /// Columns along x, and along z (1 in 2-D).
   int count(int axis) const { return axis == 0 ? lattice_.count[0] : D == 3 ? lattice_.count[D - 1] : 1; }
@@ -58,12 +71,13 @@ class SurfaceProfile {
   /// water.
   double height(int column) const { return height_[column]; }
 
-  /// Space below the surface [m^2 in 2-D, m^3].
+  /// Space below the surface [m^2 in 2-D, m^3]; NaN where more than a hundredth of it is gas below liquid at the roof.
   double volume() const {
     double cells = 0;
     for (std::size_t c = 0; c < columns_.size(); ++c)
       cells += columns_[c].cells_below((height_[c] - lattice_.corner[1]) / lattice_.l0, closed_);
-    return cells * std::pow(lattice_.l0, D);
+    const double gas = std::accumulate(gas_.begin(), gas_.end(), 0.0);
+    return gas > 0.01 * cells ? std::numeric_limits<double>::quiet_NaN() : cells * std::pow(lattice_.l0, D);
   }
 
  private:
@@ -186,12 +200,27 @@ class SurfaceProfile {
     return bottom;
   }
 
+  /// Cells of a column whose liquid reaches the roof that are gas.
+  double gas_below(int c) const {
+    const Column& column = columns_[c];
+    if (!closed_ || height_[c] < y(column.top) - lattice_.l0) return 0;
+    const int i = c % count(0), k = c / count(0);
+    const double dy = 0.5 * lattice_.l0;
+    int empty = 0;
+    for (double at = height_[c] - dy; at > y(column.bottom); at -= dy) {
+      const double open = 1 - beside_.sum(i, k, at);
+      empty += open >= least_open && (water_.sum(i, k, at) + mirrored_.sum(i, k, at)) / open < 0.5;
+    }
+    return 0.5 * empty;
+  }
+
   LiquidLattice<D> lattice_;
   bool closed_;
   LatticeColumns<D> beside_, mirrored_, water_;
   std::vector<Mirror> mirrors_;  ///< of the points in mirrored_
   std::vector<Column> columns_;
   Scalars height_;
+  Scalars gas_;                       ///< below liquid at the roof, in each column [cells]
   std::vector<std::uint8_t> counts_;  ///< a buffer
 };
 

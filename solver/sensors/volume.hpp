@@ -4,7 +4,8 @@
 
 namespace seiche::solver {
 
-/// Space below the surface, and the liquid's centre of mass in the tank's frame.
+/// Space below the surface, a gap (NaN) where liquid at the roof has so much gas below it that it isn't the liquid's;
+/// and the liquid's centre of mass in the tank's frame.
 template <int D>
 class VolumeSensor : public Sensor<D> {
  public:

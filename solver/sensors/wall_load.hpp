@@ -3,17 +3,20 @@
 #include <cmath>
 
 #include "solver/sensors/pressure_fit.hpp"
-#include "solver/sensors/scales.hpp"
-#include "solver/sensors/sensor.hpp"
 #include "solver/tank/facets.hpp"
 
 namespace seiche::solver {
 
-/// What the liquid does to the walls.
+/// What the liquid does to the walls, in the tank's axes.
 template <int D>
 struct Load {
-  Vec<D> force = Vec<D>::Zero();  ///< integral of p n over the walls, in the tank's axes [N/m in 2-D, N]
-  double moment = 0;              ///< about the pivot, from x towards y [N m/m in 2-D, N m]
+  Vec<D> force = Vec<D>::Zero();                     ///< integral of p n over the walls [N/m in 2-D, N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about a point; in 2-D about z alone [N m/m, N m]
+
+  void operator+=(const Load& other) {
+    force += other.force;
+    moment += other.moment;
+  }
 };
 
 /// Integrates the pressure over the facets of a wall: on each it is the linear fit of the fluid about its centre, where
@@ -22,19 +25,25 @@ struct Load {
 template <int D>
 class WallLoad {
  public:
-  /// @param pivot about which moments are [m]
+  /// @param pivot about which moments are, at z = 0 [m]
   WallLoad(const SurfaceMesh& wall, const Eigen::Vector2d& pivot, double l0)
       : l0_(l0), pivot_(pivot), facets_(facets_of<D>(wall, l0)), loads_(facets_.size()) {}
 
+  /// On all of it.
   Load<D> read(const State<D>& s, const FluidCells<D>& cells) {
     const int size = static_cast<int>(facets_.size());
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < size; ++k) loads_[k] = is_wet(facets_[k], s, cells) ? on(facets_[k], s, cells) : Load<D>{};
     Load<D> sum;
-    for (const Load<D>& load : loads_) {
-      sum.force += load.force;
-      sum.moment += load.moment;
-    }
+    for (const Load<D>& load : loads_) sum += load;
+    return sum;
+  }
+
+  /// On a patch of it, as last read.
+  Load<D> on_patch(int patch) const {
+    Load<D> sum;
+    for (std::size_t k = 0; k < facets_.size(); ++k)
+      if (facets_[k].patch == patch) sum += loads_[k];
     return sum;
   }
 
@@ -59,7 +68,12 @@ class WallLoad {
     for (const auto& [offset, area] : facet.points) {
       const Vec<D> force = std::max(0.0, fit.value + fit.slope.dot(offset)) * area;
       sum.force += force;
-      sum.moment += (arm[0] + offset[0]) * force[1] - (arm[1] + offset[1]) * force[0];
+      sum.moment[2] += (arm[0] + offset[0]) * force[1] - (arm[1] + offset[1]) * force[0];
+      if constexpr (D == 3) {
+        const double z = facet.centre[2] + offset[2];
+        sum.moment[0] += (arm[1] + offset[1]) * force[2] - z * force[1];
+        sum.moment[1] += z * force[0] - (arm[0] + offset[0]) * force[2];
+      }
     }
     return sum;
   }
@@ -68,35 +82,6 @@ class WallLoad {
   Eigen::Vector2d pivot_;
   std::vector<Facet<D>> facets_;
   std::vector<Load<D>> loads_;
-};
-
-/// Force and moment on the walls.
-template <int D>
-class WallLoadSensor : public Sensor<D> {
- public:
-  static std::vector<Column> columns(const Parameters& p) {
-    if (!p.sensors.force) return {};
-    const Scales scales(p);
-    const auto force = [&](const char* name, const char* title, Rest rest) {
-      return Column{name, D == 3 ? "N" : "N/m", title, ColumnKind::force, rest, scales.force};
-    };
-    std::vector<Column> all{force("force_x", "force x", Rest::zero), force("force_y", "force y", Rest::first_value)};
-    if (D == 3) all.push_back(force("force_z", "force z", Rest::zero));
-    all.push_back({"moment", D == 3 ? "N m" : "N m/m", "moment", ColumnKind::moment, Rest::first_value, scales.moment});
-    return all;
-  }
-
-  explicit WallLoadSensor(const SensorSite<D>& site)
-      : walls_(site.tank.surface(), {site.p.motion.pivot_x, site.p.motion.pivot_y}, site.p.particles.spacing) {}
-
-  void read(const Instant<D>& now, Scalars& values) override {
-    const Load<D> load = walls_.read(now.s, now.cells);
-    values.insert(values.end(), load.force.begin(), load.force.end());
-    values.push_back(load.moment);
-  }
-
- private:
-  WallLoad<D> walls_;
 };
 
 }  // namespace seiche::solver

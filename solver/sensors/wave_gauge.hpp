@@ -3,9 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/sensors/scales.hpp"
-#include "solver/sensors/sensor.hpp"
-#include "solver/sensors/sensor_list.hpp"
+#include "solver/sensors/surface_profile.hpp"
 
 namespace seiche::solver {
 
@@ -57,7 +55,7 @@ inline Scalars weights_of_open(double x, const std::vector<bool>& open) {
 /// while a wave 20 l0 long keeps 99 % of its height.
 class WaveGauge {
  public:
-  /// @param x, z where it stands [m]
+  /// @param x, z where it stands, along the lattice's axes [m]
   /// @param level of still liquid [m]: columns that the tank has there count
   template <int D>
   WaveGauge(double x, double z, double level, const Shape<D>& tank, const LiquidLattice<D>& lattice) {
@@ -68,7 +66,7 @@ class WaveGauge {
       for (int i = 0; i < lattice.count[axis]; ++i) {
         Vec<D> centre = r;
         centre[axis] = lattice.corner[axis] + (i + 0.5) * lattice.l0;
-        open.push_back(tank.nearest(centre).distance < 0);
+        open.push_back(tank.nearest(lattice.axes.in_tank(centre)).distance < 0);
       }
       return open;
     };
@@ -88,7 +86,7 @@ class WaveGauge {
   /// Whether there are columns to read.
   bool reads() const { return !weights_.empty(); }
 
-  /// The surface's y [m], never beyond the columns that it comes from.
+  /// The surface's y along the lattice's axes [m], never beyond the columns that it comes from.
   template <int D>
   double level(const SurfaceProfile<D>& profile) const {
     double sum = 0, low = std::numeric_limits<double>::infinity(), high = -low;
@@ -107,37 +105,6 @@ class WaveGauge {
     double weight;
   };
   std::vector<Weight> weights_;
-};
-
-/// All that the scene names. They read the height above still level, to 1e-9 l0: what round-off leaves of a lattice at
-/// rest is 0.
-template <int D>
-class WaveGauges : public Sensor<D> {
- public:
-  static std::vector<Column> columns(const Parameters& p) {
-    std::vector<Column> all;
-    for (const auto& gauge : sensors_of(p).gauge)
-      all.push_back({"eta_" + gauge.name, "m", "elevation, " + in_words(gauge.name), ColumnKind::elevation, Rest::zero,
-                     Scales(p).length});
-    return all;
-  }
-
-  explicit WaveGauges(const SensorSite<D>& site)
-      : level_(site.tank.bounds().low[1] + site.p.fluid.depth), l0_(site.p.particles.spacing) {
-    const LiquidLattice<D> lattice(site.tank.bounds(), site.tank.bounds().high[1], l0_);
-    for (const auto& gauge : sensors_of(site.p).gauge)
-      gauges_.emplace_back(gauge.x, gauge.z, level_, site.tank, lattice);
-  }
-
-  void read(const Instant<D>& now, Scalars& values) override {
-    const double grain = 1e-9 * l0_;
-    for (const auto& gauge : gauges_)
-      values.push_back(std::round((gauge.level(now.surface) - level_) / grain) * grain + 0.0);  // + 0.0: never -0
-  }
-
- private:
-  double level_, l0_;  ///< of still liquid [m]; [m]
-  std::vector<WaveGauge> gauges_;
 };
 
 }  // namespace seiche::solver

@@ -40,6 +40,7 @@ class Gathering {
     std::vector<Facet<D>> all;
     for (const auto& [place, piece] : pieces_) {
       Facet<D> facet;
+      facet.patch = place[0];
       double whole = 0;
       for (std::size_t k = 0; k < piece.at.size(); ++k) {
         facet.centre += piece.area[k].norm() * piece.at[k];

@@ -14,6 +14,7 @@ struct Facet {
     Vec<D> area;    ///< that it stands for, along the normal out of the tank [m in 2-D, m^2]
   };
   Vec<D> centre = Vec<D>::Zero();  ///< [m]
+  int patch = 0;                   ///< of the wall that it is on, by its place in the mesh
   std::vector<Point> points;
 };
 

@@ -30,25 +30,35 @@ struct Pool {
   std::vector<Part> parts;
 };
 
+/// None of what lies below a level: its lattice and the level alone.
+/// @param depth of the level above the lowest point of the tank [m]
+template <int D>
+Pool<D> empty_pool(const Parameters& p, const Shape<D>& tank, double depth) {
+  const LevelAxes<D> axes(p.gravity);
+  const Bounds<D> bounds = axes.bounds_of(tank);
+  const double level = bounds.low[1] + depth;
+  return {LiquidLattice<D>(bounds, level, p.particles.spacing, axes), level, 0, {}};
+}
+
 /// All that lies below a level, of a column what lies in it.
 /// @param depth of the level above the lowest point of the tank [m]
 template <int D>
 Pool<D> pool_below(const Parameters& p, const Shape<D>& tank, double depth) {
-  const LevelAxes<D> axes(p.gravity);
+  Pool<D> pool = empty_pool(p, tank, depth);
+  const LevelAxes<D>& axes = pool.lattice.axes;
   const Bounds<D> bounds = axes.bounds_of(tank);
-  const double l0 = p.particles.spacing, level = bounds.low[1] + depth;
   const double end = p.fluid.column > 0 ? bounds.low[0] + p.fluid.column : bounds.high[0];
   const auto baffles = tank.baffles();
-  Pool<D> pool{LiquidLattice<D>(bounds, level, l0, axes), level, 0, {}};
   pool.lattice.each([&](const auto& cell) {
     int number = 0;
-    for (const CellPart<D>& inside : parts_inside(tank, baffles.get(), pool.lattice.centre(cell), l0, axes)) {
+    const Vec<D> centre = pool.lattice.centre(cell);
+    for (const CellPart<D>& inside : parts_inside(tank, baffles.get(), centre, pool.lattice.l0, axes)) {
       if (inside.share == 0 || axes(inside.centroid)[0] > end) continue;
       pool.parts.push_back({cell, number, inside});
       ++number;
     }
   });
-  pool.volume = volume_below(on_level_axes(tank.surface(), p.gravity), level);
+  pool.volume = volume_below(on_level_axes(tank.surface(), p.gravity), pool.level);
   return pool;
 }
 
@@ -133,6 +143,12 @@ std::vector<Pool<D>> pools_of(const Parameters& p, const Shape<D>& tank) {
   return pools;
 }
 
+/// The same where levels alone are asked for: one without parts where there are no seeds.
+template <int D>
+std::vector<Pool<D>> levels_of(const Parameters& p, const Shape<D>& tank) {
+  return p.fluid.seeds.empty() ? std::vector{empty_pool(p, tank, p.fluid.depth)} : pools_of(p, tank);
+}
+
 /// Volume of the liquid, of a column that of a tank as deep [m^2 in 2-D, m^3].
 inline double liquid_volume(const Parameters& p) {
   if (p.fluid.seeds.empty()) {
@@ -159,15 +175,18 @@ bool meet(const Pool<D>& a, const Pool<D>& b, const Baffles<D>* baffles) {
   return false;
 }
 
-/// Level of the pool whose liquid is nearest to a place [m].
+/// Level of the pool with liquid above, below or else nearest beside a place [m].
 template <int D>
-double level_about(const std::vector<Pool<D>>& pools, const Vec<D>& r) {
+double level_beside(const std::vector<Pool<D>>& pools, const Vec<D>& r) {
   double level = pools.front().level, nearest = std::numeric_limits<double>::infinity();
   if (pools.size() == 1) return level;
   for (const Pool<D>& pool : pools)
-    for (const auto& part : pool.parts)
-      if (const double distance = (part.inside.centroid - r).squaredNorm(); distance < nearest)
-        nearest = distance, level = pool.level;
+    for (const auto& part : pool.parts) {
+      const Vec<D> offset = pool.lattice.axes(part.inside.centroid - r);
+      const double aside = std::max(0.0, std::hypot(offset[0], D == 3 ? offset[D - 1] : 0.0) - 0.5 * pool.lattice.l0);
+      const double distance = aside + 1e-3 * std::abs(offset[1]);
+      if (distance < nearest) nearest = distance, level = pool.level;
+    }
   return level;
 }
 

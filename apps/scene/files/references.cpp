@@ -48,8 +48,7 @@ render::Series reference_series(const Csv& table, const std::string& column, con
   render::Series series;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double time = table.number(row, times), above = row > 0 ? table.number(row - 1, times) : time;
-    const double value =
-        table.is_empty(row, values) ? std::numeric_limits<double>::quiet_NaN() : table.number(row, values);
+    const double value = table.number_or_gap(row, values);
     if (time < above)
       table.refuse(row, fmt::format("t = {:g} s; expected no time before the {:g} s of the line above", time, above));
     if (time < from) continue;

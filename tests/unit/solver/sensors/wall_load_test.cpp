@@ -49,13 +49,13 @@ TYPED_TEST(WallLoadOf, OnEachWallIsThatOfAHydrostaticPressure) {
 TYPED_TEST(WallLoadOf, MomentOfTheHydrostaticPressureIsExact) {
   // The end walls are pressed at a third of the depth, the floor in its middle.
   const double arm = 0.1 / 3;
-  EXPECT_NEAR(this->load_on("left").moment, this->end * arm, 1e-10 * this->end);
-  EXPECT_NEAR(this->load_on("right").moment, -this->end * arm, 1e-10 * this->end);
-  EXPECT_NEAR(this->load().moment, -this->weight * 0.1, 1e-10 * this->weight);
+  EXPECT_NEAR(this->load_on("left").moment[2], this->end * arm, 1e-10 * this->end);
+  EXPECT_NEAR(this->load_on("right").moment[2], -this->end * arm, 1e-10 * this->end);
+  EXPECT_NEAR(this->load().moment[2], -this->weight * 0.1, 1e-10 * this->weight);
   this->tank.p.motion.pivot_x = 0.03;
   this->tank.p.motion.pivot_y = 0.25;
-  EXPECT_NEAR(this->load().moment, -this->weight * 0.07, 1e-10 * this->weight);
-  EXPECT_NEAR(this->load_on("right").moment, -this->end * (arm - 0.25), 1e-10 * this->end);
+  EXPECT_NEAR(this->load().moment[2], -this->weight * 0.07, 1e-10 * this->weight);
+  EXPECT_NEAR(this->load_on("right").moment[2], -this->end * (arm - 0.25), 1e-10 * this->end);
 }
 
 TYPED_TEST(WallLoadOf, TiltedFieldPressesSideways) {

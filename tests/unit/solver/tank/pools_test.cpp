@@ -37,8 +37,8 @@ TEST(Pools, AreEachWhatIsOpenToItsSeed) {
   EXPECT_NEAR(pools[1].volume, 0.245 * 0.1, 1e-4 * 0.05);
   for (const auto& part : pools[0].parts) EXPECT_LT(part.inside.centroid[0], 0.245);
   for (const auto& part : pools[1].parts) EXPECT_GT(part.inside.centroid[0], 0.255);
-  EXPECT_EQ(level_about(pools, Vec<2>(0.1, 0.3)), 0.2);
-  EXPECT_EQ(level_about(pools, Vec<2>(0.4, 0.3)), 0.1);
+  EXPECT_EQ(level_beside(pools, Vec<2>(0.1, 0.3)), 0.2);
+  EXPECT_EQ(level_beside(pools, Vec<2>(0.27, 0.3)), 0.1);
   EXPECT_NEAR(liquid_volume(p), 0.245 * 0.3, 1e-4 * 0.05);
 }
 

@@ -103,9 +103,10 @@ TEST(Baffled, LiquidBesideBafflesLacksNoNeighbours) {
               baffle.thickness > 0 ? whole.size() - std::lround(0.06 * baffle.thickness / (l0 * l0)) : whole.size());
     // Behind a baffle that reaches above the level solids count there, too; they are dry.
     for (const auto& [place, density] : here)
-      if (baffle.points.back()[1] < 0.1 || place.second < 70000)
+      if (baffle.points.back()[1] < 0.1 || place.second < 70000) {
         EXPECT_NEAR(density, whole.at(place), 1e-9) << place.first << ' ' << place.second << " um; baffle from "
                                                     << baffle.points[0][0] << ' ' << baffle.points[0][1];
+      }
   }
 }
 
