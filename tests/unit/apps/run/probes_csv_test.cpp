@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "apps/scene/scene.hpp"
 #include "solver/simulation.hpp"
 #include "tests/unit/apps/files.hpp"
@@ -33,6 +35,16 @@ TEST(ProbesCsv, HasUnitsInItsHeaderAndARowForEachReading) {
   EXPECT_EQ(read_file(folder / "probes.csv"), expected) << "not on the disk after the frame";
   csv->end();
   EXPECT_EQ(read_file(folder / "probes.csv"), expected);
+}
+
+TEST(ProbesCsv, LeavesAGapEmpty) {
+  const Scratch folder;
+  const auto csv = probes_csv(folder / "probes.csv");
+  RunInfo run;
+  run.sensors = {{"volume", "m^2", ""}, {"eta_left", "m", ""}};
+  csv->begin(run);
+  csv->frame(frame_with({{0}, {std::numeric_limits<double>::quiet_NaN(), 0.5}}));
+  EXPECT_EQ(read_file(folder / "probes.csv"), "t [s],volume [m^2],eta_left [m]\n0.000000,,0.5\n");
 }
 
 TEST(ProbesCsv, SaysWhenTheFileCannotBeWritten) {

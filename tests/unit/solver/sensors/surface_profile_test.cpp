@@ -36,6 +36,15 @@ TYPED_TEST(SurfaceProfileOf, OfALatticeAtRestIsFlatToRoundOff) {
   EXPECT_NEAR(surface.volume(), 0.1 * this->base(), 1e-13);
 }
 
+// What the roof carries isn't the top of what stands below it.
+TYPED_TEST(SurfaceProfileOf, HasNoVolumeWithGasBelowLiquidAtTheRoof) {
+  constexpr int D = TypeParam::D;
+  this->tank.each_fluid([](Vec<D>& r, double&) { r[1] += 0.05; });
+  EXPECT_TRUE(std::isnan(this->profile().volume()));
+  this->tank.each_fluid([](Vec<D>& r, double&) { r[1] -= 0.04; });
+  EXPECT_NEAR(this->profile().volume(), 0.11 * this->base(), 0.01 * this->base()) << "away from it, it has";
+}
+
 TYPED_TEST(SurfaceProfileOf, RisesWithTheWaterByAnyPartOfASpacing) {
   constexpr int D = TypeParam::D;
   for (int tenths = 1; tenths <= 10; ++tenths) {
