@@ -117,6 +117,7 @@ Value value_from(const nlohmann::json& json) {
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
   if (json.is_array() && !json.empty() && json.front().is_number()) return json.get<Numbers>();
+  if (json.is_array() && !json.empty() && json.front().size() > 2) return json.get<Rows>();
   if (json.is_array()) return json.get<Points>();
   return json.get<std::string>();
 }

@@ -14,7 +14,8 @@ namespace {
 using Json = nlohmann::ordered_json;  // keys in the order of the tables
 
 const char* type_of(const Value& value) {
-  constexpr const char* names[] = {"boolean", "integer", "number", "string", "array", "array"};  // as Value has them
+  constexpr const char* names[] = {"boolean", "integer", "number", "string",
+                                   "array",   "array",   "array"};  // as Value has them
   return names[value.index()];
 }
 
@@ -45,6 +46,9 @@ Json key_schema(const Key& key, const Value& value) {
     schema["oneOf"] = {number_in(rule->range), array_of(number_in(rule->range), rule->count)};
   }
   if (const auto* rule = std::get_if<Pairs>(&key.rule)) schema["items"] = array_of(number_in(rule->range), 2);
+  if (const auto* rule = std::get_if<Tuple>(&key.rule)) schema.update(array_of(number_in(rule->range), rule->count));
+  if (const auto* rule = std::get_if<Tuples>(&key.rule))
+    schema["items"] = array_of(number_in(rule->range), rule->count);
   if (const auto* choices = std::get_if<Choices>(&key.rule)) schema["enum"] = *choices;
   if (std::holds_alternative<Name>(key.rule)) schema["pattern"] = column_name_pattern;
   std::visit([&](const auto& plain) { schema["default"] = plain; }, value);

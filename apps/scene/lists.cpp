@@ -2,14 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+#include <type_traits>
+
 namespace seiche::apps {
 namespace {
 
 /// The member of one table, where it isn't an enum.
 Target target(const Member& member, Scene& scene, std::size_t row) {
-  if (const auto* number = std::get_if<double& (*)(Scene&, std::size_t)>(&member.access)) return &(*number)(scene, row);
-  if (const auto* points = std::get_if<Points& (*)(Scene&, std::size_t)>(&member.access)) return &(*points)(scene, row);
-  return &std::get<std::string& (*)(Scene&, std::size_t)>(member.access)(scene, row);
+  return std::visit(
+      [&](const auto& access) -> Target {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(access)>, ChosenInRow>)
+          throw std::logic_error("an enum has no plain member");
+        else
+          return &access(scene, row);
+      },
+      member.access);
 }
 
 }  // namespace

@@ -19,8 +19,10 @@ struct ChosenInRow {
 
 /// One key of a list's tables. A table without it keeps the default, unless it is required.
 struct Member {
-  using Access = std::variant<double& (*)(Scene&, std::size_t row), std::string& (*)(Scene&, std::size_t row),
-                              Points& (*)(Scene&, std::size_t row), ChosenInRow>;
+  using Access =
+      std::variant<double& (*)(Scene&, std::size_t row), std::string& (*)(Scene&, std::size_t row),
+                   Points& (*)(Scene&, std::size_t row), Triple& (*)(Scene&, std::size_t row),
+                   Triples& (*)(Scene&, std::size_t row), Quadruples& (*)(Scene&, std::size_t row), ChosenInRow>;
   std::string_view key;
   std::string_view unit;  ///< empty: none
   Access access;

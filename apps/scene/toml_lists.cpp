@@ -63,6 +63,16 @@ std::optional<Points> points_of(const toml::array& array) {
   return points;
 }
 
+std::optional<Rows> rows_of(const toml::array& array) {
+  Rows rows;
+  for (const toml::node& node : array) {
+    const auto row = node.is_array() ? numbers_of(*node.as_array()) : std::nullopt;
+    if (!row) return {};
+    rows.push_back(*row);
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::optional<Value> value_of_text(const std::string& text) {
@@ -83,6 +93,7 @@ std::optional<Value> value_of_node(const toml::node& node) {
   if (!array || array->is_homogeneous(toml::node_type::table)) return {};
   if (const auto points = points_of(*array); points) return *points;
   if (const auto numbers = numbers_of(*array)) return *numbers;
+  if (const auto rows = rows_of(*array)) return *rows;
   return {};
 }
 

@@ -107,6 +107,40 @@ std::optional<std::string> put_points(const Slot& slot, Points& target, const Va
   return {};
 }
 
+std::optional<std::string> put_tuple(const Slot& slot, Triple& target, const Value& value) {
+  const auto* numbers = std::get_if<Numbers>(&value);
+  if (!numbers || numbers->size() != target.size()) return refusal(slot, value, "is no list of 3 numbers");
+  for (const double number : *numbers)
+    if (!holds(std::get<Tuple>(slot.rule).range, number)) return refusal(slot, value, "is out of range");
+  std::copy(numbers->begin(), numbers->end(), target.begin());
+  return {};
+}
+
+template <std::size_t count>
+std::optional<std::string> put_tuples(const Slot& slot, std::vector<std::array<double, count>>& target,
+                                      const Value& value) {
+  const Points* none = std::get_if<Points>(&value);
+  const Rows* rows = std::get_if<Rows>(&value);
+  if (!rows && !(none && none->empty()))
+    return refusal(slot, value, fmt::format("is no list of lists of {} numbers", count));
+  std::vector<std::array<double, count>> all;
+  for (const Numbers& row : rows ? *rows : Rows()) {
+    if (row.size() != count) return refusal(slot, row, fmt::format("has {} numbers", row.size()));
+    for (const double number : row)
+      if (!holds(std::get<Tuples>(slot.rule).range, number)) return refusal(slot, row, "is out of range");
+    std::copy(row.begin(), row.end(), all.emplace_back().begin());
+  }
+  target = all;
+  return {};
+}
+
+template <std::size_t count>
+Value rows_of(const std::vector<std::array<double, count>>& tuples) {
+  Rows rows;
+  for (const auto& tuple : tuples) rows.emplace_back(tuple.begin(), tuple.end());
+  return rows;
+}
+
 }  // namespace
 
 std::string expected(const Rule& rule, std::string_view unit, bool whole) {
@@ -122,6 +156,14 @@ std::string expected(const Rule& rule, std::string_view unit, bool whole) {
                    return fmt::format("a list of pairs as in [[0, 0], [1, 0], [1, 1]], of numbers from {} to {}{}",
                                       pairs.range.low, pairs.range.high,
                                       unit.empty() ? "" : fmt::format(" [{}]", unit));
+                 },
+                 [&](const Tuple& tuple) {
+                   return fmt::format("a list of {} numbers from {} to {}{}", tuple.count, tuple.range.low,
+                                      tuple.range.high, unit.empty() ? "" : fmt::format(" [{}]", unit));
+                 },
+                 [&](const Tuples& tuples) {
+                   return fmt::format("a list of lists of {} numbers from {} to {}{}", tuples.count, tuples.range.low,
+                                      tuples.range.high, unit.empty() ? "" : fmt::format(" [{}]", unit));
                  },
                  [&](const Range& range) {
                    const std::string ends = range.above_low ? fmt::format("above {}, up to {}", range.low, range.high)
@@ -141,6 +183,9 @@ std::optional<std::string> put(const Value& value, const Slot& slot) {
                                [&](std::string* text) { return put_text(slot, *text, value); },
                                [&](Numbers* numbers) { return put_numbers(slot, *numbers, value); },
                                [&](Points* points) { return put_points(slot, *points, value); },
+                               [&](Triple* tuple) { return put_tuple(slot, *tuple, value); },
+                               [&](Triples* tuples) { return put_tuples(slot, *tuples, value); },
+                               [&](Quadruples* tuples) { return put_tuples(slot, *tuples, value); },
                                [&](auto* number) { return put_number(slot, *number, value); }},
                     slot.target);
 }
@@ -149,6 +194,8 @@ Value value_in(const Target& target) {
   return std::visit(
       Overloaded{[](int* whole) { return Value(std::int64_t{*whole}); },
                  [](Numbers* numbers) { return numbers->size() == 1 ? Value(numbers->front()) : Value(*numbers); },
+                 [](Triple* tuple) { return Value(Numbers(tuple->begin(), tuple->end())); },
+                 [](Triples* tuples) { return rows_of(*tuples); }, [](Quadruples* tuples) { return rows_of(*tuples); },
                  [](auto* other) { return Value(*other); }},
       target);
 }

@@ -15,7 +15,13 @@ namespace seiche::apps {
 /// A value as a scene file or a command line gives it.
 using Numbers = std::vector<double>;
 using Points = std::vector<std::array<double, 2>>;
-using Value = std::variant<bool, std::int64_t, double, std::string, Numbers, Points>;
+using Rows = std::vector<Numbers>;
+using Value = std::variant<bool, std::int64_t, double, std::string, Numbers, Points, Rows>;
+
+/// Members of a scene that hold points in space, and circles there by centre and radius.
+using Triple = std::array<double, 3>;
+using Triples = std::vector<Triple>;
+using Quadruples = std::vector<std::array<double, 4>>;
 
 /// Numbers that a key takes; the lower end may be left out.
 struct Range {
@@ -57,10 +63,22 @@ struct Pairs {
   Range range;
 };
 
-using Rule = std::variant<std::monostate, Range, Choices, Name, Text, OneOr, Pairs>;
+/// So many numbers.
+struct Tuple {
+  Range range;
+  std::size_t count;
+};
+
+/// A list of lists of so many numbers.
+struct Tuples {
+  Range range;
+  std::size_t count;
+};
+
+using Rule = std::variant<std::monostate, Range, Choices, Name, Text, OneOr, Pairs, Tuple, Tuples>;
 
 /// The member of a scene behind a key.
-using Target = std::variant<double*, int*, bool*, std::string*, Numbers*, Points*>;
+using Target = std::variant<double*, int*, bool*, std::string*, Numbers*, Points*, Triple*, Triples*, Quadruples*>;
 
 /// All that putting a value into a member needs: how messages name the key and what it takes.
 struct Slot {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "solver/modes/cut_out.hpp"
+#include "solver/tank/baffles_of.hpp"
 
 namespace seiche::solver::modes {
 namespace {
@@ -98,15 +99,16 @@ std::vector<TankMode> tank_modes(const Parameters& p, int count) {
   if (p.dimension() == 2) {
     const Section section = tank_section(p);
     const double level = section.bounds().low[1] + p.fluid.depth;
-    if (p.tank.baffles.empty()) return tank_modes(section, level, p.gravity, count);
+    if (!has_baffles(p.tank)) return tank_modes(section, level, p.gravity, count);
     const double l0 = p.particles.spacing;
-    const Baffled tank(std::make_shared<Section>(section), baffle_lines(p.tank), l0, l0);
+    const Baffled tank(std::make_shared<Section>(section), baffle_lines(p, section.bounds()), l0, l0);
     First first(count);
     first.add(
         section_modes(cut_out(polygons_of(section.wall()), tank.solids(), tank.plates()), level, p.gravity, count),
         "across");
     return first.all();
   }
+  if (has_baffles(p.tank)) return {};
   return std::visit(
       [&](const auto& tank) { return tank_modes(tank, tank.bounds().low[1] + p.fluid.depth, p.gravity, count); },
       tank_body(p));
