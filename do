@@ -88,6 +88,7 @@ gallery() {
   picture baffles baffles 2 --set look.quantity=vorticity --set look.range=-20,20 --set look.curves=none
   picture sphere sphere 2.4 --set look.curves=none
   picture upright-cylinder upright-cylinder 2.5 --set look.curves=none
+  picture ringed ringed 2.5 --set look.curves=none
   picture rocket rocket 3 --set look.curves=none
   picture stl-tank stl-tank 1.5 --set look.curves=none
   build/seiche compare scenes/pan2008-paper.toml --vary method.kernel=KF1,KF2,KF3,KF4,KF5 --spacing 0.01 \

@@ -49,12 +49,26 @@ struct Parameters {
     std::optional<SectionPlane> section{};                   ///< the run is 2-D, in this plane of a 3-D tank
     bool closed = true;                                      ///< box: with a roof
 
-    /// A thin wall within it.
+    /// A thin wall within it: a line in 2-D; in 3-D, or where a section is taken, a rectangle or a disc; or upright
+    /// across the tank, up from its lowest point. What tells the others is empty or 0.
     struct Baffle {
-      std::vector<std::array<double, 2>> points{};  ///< of the line that it follows
-      double thickness = 0;                         ///< 0: none
+      std::vector<std::array<double, 2>> points{};   ///< of the line that it follows
+      double thickness = 0;                          ///< 0: none
+      double x = 0, height = 0;                      ///< of one across the tank
+      std::vector<std::array<double, 3>> corners{};  ///< of a rectangle: three, or all four
+      std::array<double, 3> centre{}, normal{1, 0, 0};
+      double radius = 0;                           ///< of a disc
+      std::vector<std::array<double, 4>> holes{};  ///< (x, y, z, radius)
     };
     std::vector<Baffle> baffles{};
+
+    /// A flat ring within a 3-D tank.
+    struct Ring {
+      std::array<double, 3> centre{}, normal{0, 1, 0};
+      double inner = 0, outer = 0;  ///< radii; outer = 0: up to the wall
+      double thickness = 0;         ///< 0: none
+    };
+    std::vector<Ring> rings{};
 
     bool is_body() const;  ///< whether it is 3-D as long as no section is taken
   } tank;

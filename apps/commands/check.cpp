@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "solver/make_simulation.hpp"
@@ -50,6 +51,20 @@ std::string periods_text(const Parameters& p) {
   return text.empty() || body ? text : text + " s";
 }
 
+/// As in "2 baffles without thickness, 1 ring 0.01 m thick".
+std::string baffles_text(const Parameters::Tank& tank) {
+  std::map<std::pair<std::string, double>, int> counts;
+  for (const auto& baffle : tank.baffles) ++counts[{"baffle", baffle.thickness}];
+  for (const auto& ring : tank.rings) ++counts[{"ring", ring.thickness}];
+  std::string text;
+  for (const auto& [kind, count] : counts) {
+    const auto& [what, thickness] = kind;
+    text += fmt::format("{}{} {}{} {}", text.empty() ? "" : ", ", count, what, count > 1 ? "s" : "",
+                        thickness > 0 ? fmt::format("{:g} m thick", thickness) : "without thickness");
+  }
+  return text;
+}
+
 /// To a nanometre, so that what is nearly 0 reads as 0.
 double rounded(double length) { return std::round(length * 1e9) / 1e9 + 0.0; }
 
@@ -91,7 +106,7 @@ std::string check_text(const Scene& scene) {
   return fmt::format(
       "{}: a good scene\n"
       "  tank    {}{}, {}: {} m; {:.5g} {}, wall {:.5g} {}; origin: {}\n"
-      "{}"
+      "{}{}"
       "  liquid  {}: {:.5g} {}, {:.3g} % of the tank\n"
       "{}"
       "  motion  {}\n"
@@ -99,9 +114,9 @@ std::string check_text(const Scene& scene) {
       "  run     {:g} s{} at {:g} frames a second\n",
       scene.file, name(p.tank.shape), section, p.tank.closed ? "closed" : "open", ends, measures.volume,
       body ? "m^3" : "m^2", measures.area, body ? "m^2" : "m", origin_of(p.tank), line("mended", mended_of(p)),
-      levels_text(p, low[1]), liquid, body ? "m^3" : "m^2", 100 * liquid / measures.volume,
-      line("waves", periods_text(p)), motion_text(p.motion), name(p.preset), p.method.kernel, l0,
-      liquid / std::pow(l0, p.dimension()), p.time.end, step, scene.output.frame_rate);
+      line("baffles", baffles_text(p.tank)), levels_text(p, low[1]), liquid, body ? "m^3" : "m^2",
+      100 * liquid / measures.volume, line("waves", periods_text(p)), motion_text(p.motion), name(p.preset),
+      p.method.kernel, l0, liquid / std::pow(l0, p.dimension()), p.time.end, step, scene.output.frame_rate);
 }
 
 }  // namespace seiche::apps

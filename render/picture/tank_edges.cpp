@@ -18,6 +18,24 @@ Vector3d normal_of(const std::vector<Vector3d>& corners) {
   return sum;
 }
 
+/// Whether two faces are one smooth surface that doesn't turn away from the camera between them.
+bool joined(const Vector3d& a, const Vector3d& b, const Vector3d& to_camera) {
+  return a.dot(b) > std::cos(std::numbers::pi / 6) && (a.dot(to_camera) > 0) == (b.dot(to_camera) > 0);
+}
+
+/// Whether the faces that meet at an edge go on smoothly, in pairs: both sides of a plate do.
+bool all_joined(std::vector<Vector3d> normals, const Vector3d& to_camera) {
+  while (!normals.empty()) {
+    const Vector3d last = normals.back();
+    normals.pop_back();
+    const auto other = std::find_if(normals.begin(), normals.end(),
+                                    [&](const Vector3d& normal) { return joined(last, normal, to_camera); });
+    if (other == normals.end()) return false;
+    normals.erase(other);
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::array<Vector3d, 2>> tank_edges(const SurfaceMesh& tank, const Vector3d& to_camera) {
@@ -47,12 +65,8 @@ std::vector<std::array<Vector3d, 2>> tank_edges(const SurfaceMesh& tank, const V
       }
     }
   std::vector<std::array<Vector3d, 2>> shown;
-  for (const auto& [key, edge] : edges) {
-    const auto& n = edge.normals;
-    const bool joint = n.size() == 2 && n[0].dot(n[1]) > std::cos(std::numbers::pi / 6) &&
-                       (n[0].dot(to_camera) > 0) == (n[1].dot(to_camera) > 0);
-    if (!joint) shown.push_back({edge.from, edge.to});
-  }
+  for (const auto& [key, edge] : edges)
+    if (!all_joined(edge.normals, to_camera)) shown.push_back({edge.from, edge.to});
   return shown;
 }
 

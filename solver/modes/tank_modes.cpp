@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "solver/modes/cut_out.hpp"
+#include "solver/tank/baffles_of.hpp"
 #include "solver/tank/level_axes.hpp"
 
 namespace seiche::solver::modes {
@@ -108,9 +109,9 @@ std::vector<TankMode> modes_of_section(const Parameters& p, int count) {
   const Section section = tank_section(p);
   const LevelAxes<2> axes(p.gravity);
   Polygons walls = polygons_of(section.wall());
-  if (!p.tank.baffles.empty()) {
+  if (has_baffles(p.tank)) {
     const double l0 = p.particles.spacing;
-    const Baffled tank(std::make_shared<Section>(section), baffle_lines(p.tank), l0, l0);
+    const Baffled tank(std::make_shared<Section>(section), baffle_lines(p, section.bounds()), l0, l0);
     walls = cut_out(walls, tank.solids(), tank.plates());
   }
   const double level = axes.bounds_of(section).low[1] + p.fluid.depth;
@@ -132,6 +133,7 @@ std::vector<TankMode> modes_of_leaning(const Body& body, const Parameters& p, in
 
 std::vector<TankMode> tank_modes(const Parameters& p, int count) {
   if (p.dimension() == 2) return modes_of_section(p, count);
+  if (has_baffles(p.tank)) return {};
   const Body body = tank_body(p);
   if (!p.gravity.is_upright()) return modes_of_leaning(body, p, count);
   return std::visit(

@@ -42,7 +42,9 @@ struct State {
   }
 
   /// Whether j stands for the solid of a baffle's side, and not for what lies behind the tank's wall there, too.
-  bool in_baffle(int j) const { return behind[j] >= 0 && normal[j] == baffles->faces()[behind[j]].normal; }
+  bool in_baffle(int j) const {
+    return behind[j] >= 0 && normal[j] == baffles->faces()[behind[j]].normal_at(position[j]);
+  }
 
   void add(const Vec<D>& r, Kind k, const Vec<D>& n, double v = 1) {
     position.push_back(r);

@@ -149,10 +149,10 @@ class SurfaceProfile {
   /// Of what a particle behind a side of a baffle stands for, what lies in the half of the baffle on that side.
   double share_in_baffle(const Shape<D>& tank, const BaffleFace<D>& face, const Vec<D>& r) const {
     const double depth = face.behind(r), l0 = lattice_.l0, step = 0.02 * l0;
-    const Vec<D> foot = r - depth * face.normal;
-    if (!face.holds(foot) || tank.nearest(foot - step * face.normal).distance > 0) return 0;
+    const Vec<D> normal = face.normal_at(r), foot = face.foot(r);
+    if (!face.holds(foot) || tank.nearest(foot - step * normal).distance > 0) return 0;
     double half = 0;
-    while (half < depth + l0 && tank.nearest(foot + 2 * (half + step) * face.normal).distance > 0) half += step;
+    while (half < depth + l0 && tank.nearest(foot + 2 * (half + step) * normal).distance > 0) half += step;
     return std::clamp((half - depth) / l0 + 0.5, 0.0, 1.0);
   }
 

@@ -44,8 +44,9 @@ Vec<D> Mps<D>::stopped_at_baffles(int i, Vec<D> to) {
   const int face = s_.baffles->entered(from, to);
   if (face < 0) return to;
   const BaffleFace<D>& side = s_.baffles->faces()[face];
-  to -= (side.behind(to) + 0.05 * p_.particles.spacing) * side.normal;
-  s_.velocity[i] -= std::max(0.0, s_.velocity[i].dot(side.normal)) * side.normal;
+  const Vec<D> normal = side.normal_at(to);
+  to -= (side.behind(to) + 0.05 * p_.particles.spacing) * normal;
+  s_.velocity[i] -= std::max(0.0, s_.velocity[i].dot(normal)) * normal;
   return s_.baffles->entered(from, to) < 0 ? to : from;
 }
 

@@ -46,13 +46,6 @@ Body tank_body(const Parameters& p) {
   return rectangle(tank, along_z(tank.width));
 }
 
-std::vector<BaffleLine> baffle_lines(const Parameters::Tank& tank) {
-  std::vector<BaffleLine> lines;
-  for (const Parameters::Tank::Baffle& baffle : tank.baffles)
-    lines.push_back({points_of(baffle.points), baffle.thickness});
-  return lines;
-}
-
 Section tank_section(const Parameters& p) {
   const Body body = tank_body(p);
   if (p.tank.section) return std::visit([&](const auto& tank) { return slice(tank, *p.tank.section); }, body);

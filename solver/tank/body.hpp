@@ -2,7 +2,6 @@
 #include <variant>
 
 #include "solver/parameters.hpp"
-#include "solver/tank/baffles/baffled.hpp"
 #include "solver/tank/mesh/mesh_tank.hpp"
 #include "solver/tank/shapes/extruded.hpp"
 #include "solver/tank/shapes/revolved.hpp"
@@ -14,9 +13,6 @@ using Body = std::variant<Extruded, Revolved, MeshTank>;
 
 /// The tank that a scene's measures make; one that is 2-D has the depth 1 m along z. Throws BadParameters.
 Body tank_body(const Parameters& p);
-
-/// Those of a run in 2-D.
-std::vector<BaffleLine> baffle_lines(const Parameters::Tank& tank);
 
 /// The section of a tank whose run is 2-D. Throws BadParameters.
 Section tank_section(const Parameters& p);

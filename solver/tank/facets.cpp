@@ -29,7 +29,7 @@ class Gathering {
     Place<D> place{patch};
     const Vec<D> inside = middle - 0.25 * l0_ * area.normalized();
     for (int a = 0; a < D; ++a) place[a + 1] = static_cast<int>(std::floor((inside[a] - low_[a]) / l0_));
-    Gathered<D>& here = pieces_[place];
+    Gathered<D>& here = facing(area, pieces_[place]);
     for (const Vec<D>& point : points) {
       here.at.push_back(point);
       here.area.push_back(area / static_cast<double>(points.size()));
@@ -38,26 +38,36 @@ class Gathering {
 
   std::vector<Facet<D>> facets() const {
     std::vector<Facet<D>> all;
-    for (const auto& [place, piece] : pieces_) {
-      Facet<D> facet;
-      facet.patch = place[0];
-      double whole = 0;
-      for (std::size_t k = 0; k < piece.at.size(); ++k) {
-        facet.centre += piece.area[k].norm() * piece.at[k];
-        whole += piece.area[k].norm();
-      }
-      facet.centre /= whole;
-      for (std::size_t k = 0; k < piece.at.size(); ++k)
-        facet.points.push_back({piece.at[k] - facet.centre, piece.area[k]});
-      all.push_back(std::move(facet));
-    }
+    for (const auto& [place, pieces] : pieces_)
+      for (const Gathered<D>& piece : pieces) all.push_back(facet_of(place[0], piece));
     return all;
   }
 
  private:
+  /// Both sides of a plate may lie in one place.
+  static Gathered<D>& facing(const Vec<D>& area, std::vector<Gathered<D>>& pieces) {
+    for (Gathered<D>& piece : pieces)
+      if (piece.area.front().dot(area) > -0.5 * piece.area.front().norm() * area.norm()) return piece;
+    return pieces.emplace_back();
+  }
+
+  static Facet<D> facet_of(int patch, const Gathered<D>& piece) {
+    Facet<D> facet;
+    facet.patch = patch;
+    double whole = 0;
+    for (std::size_t k = 0; k < piece.at.size(); ++k) {
+      facet.centre += piece.area[k].norm() * piece.at[k];
+      whole += piece.area[k].norm();
+    }
+    facet.centre /= whole;
+    for (std::size_t k = 0; k < piece.at.size(); ++k)
+      facet.points.push_back({piece.at[k] - facet.centre, piece.area[k]});
+    return facet;
+  }
+
   Vec<D> low_;
   double l0_;
-  std::map<Place<D>, Gathered<D>> pieces_;
+  std::map<Place<D>, std::vector<Gathered<D>>> pieces_;
 };
 
 void add_segment(int patch, const Vec<2>& from, const Vec<2>& to, double l0, Gathering<2>& all) {

@@ -38,7 +38,7 @@ Vec<D> off_baffles(const Baffles<D>& baffles, Vec<D> r, double distance) {
   for (const BaffleFace<D>& face : baffles.faces()) {
     const double before = -face.behind(r);
     if (before >= 0 && before < distance && (face.nearest(r) - r).norm() < distance)
-      r -= (distance - before) * face.normal;
+      r -= (distance - before) * face.normal_at(r);
   }
   return r;
 }

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include "solver/errors.hpp"
+#include "solver/tank/baffles/baffled_body.hpp"
 #include "solver/tank/baffles/check_baffles.hpp"
+#include "solver/tank/baffles_of.hpp"
 #include "solver/tank/body.hpp"
 #include "solver/tank/box.hpp"
 #include "solver/tank/filling.hpp"
@@ -16,40 +18,52 @@ bool is_lattice_box(const Parameters& p) {
   return p.tank.shape == TankShape::box && !p.tank.section && fits_lattice(p);
 }
 
-std::shared_ptr<const Shape<2>> tank_alone(const Parameters& p) {
-  if (is_lattice_box(p)) return std::make_shared<Box<2>>(p);
-  return std::make_shared<Section>(tank_section(p));
+/// Without baffles.
+template <int D>
+std::shared_ptr<const Shape<D>> tank_alone(const Parameters& p) {
+  if (is_lattice_box(p)) return std::make_shared<Box<D>>(p);
+  if constexpr (D == 2)
+    return std::make_shared<Section>(tank_section(p));
+  else
+    return std::visit(
+        [](auto body) -> std::shared_ptr<const Shape<3>> { return std::make_shared<decltype(body)>(std::move(body)); },
+        tank_body(p));
 }
 
+/// How far liquid may see past the end of a baffle [m].
+double reach_of(const Parameters& p) { return (longest_support(p.method) + 1) * p.particles.spacing; }
+
 void check_baffles_of(const Parameters& p) {
-  if (p.tank.baffles.empty()) return;
-  if (p.dimension() == 3)
-    throw BadParameters(
-        "[[tank.baffle]] needs a run in 2-D: leave tank.width (of a membrane tank.length) out, or give tank.section");
+  if (!has_baffles(p.tank)) return;
   if (p.method.wall_model != WallModel::ghosts)
-    throw BadParameters(
-        fmt::format("[[tank.baffle]] needs method.wall_model = \"ghosts\": {} would act through a thin wall",
-                    name(p.method.wall_model)));
-  check_baffles(*tank_alone(p), baffle_lines(p.tank), p.particles.spacing);
+    throw BadParameters(fmt::format(
+        "[[tank.baffle]] and [[tank.ring]] need method.wall_model = \"ghosts\": {} would act through a thin wall",
+        name(p.method.wall_model)));
+  const double l0 = p.particles.spacing;
+  if (p.dimension() == 3) {
+    const auto tank = tank_alone<3>(p);
+    check_baffles(*tank, flat_baffles(p, tank->bounds()), l0);
+  } else {
+    const auto tank = tank_alone<2>(p);
+    check_baffles(*tank, baffle_lines(p, tank->bounds()), l0);
+  }
 }
 
 }  // namespace
 
 template <>
 std::shared_ptr<const Shape<2>> make_shape(const Parameters& p) {
-  const auto baffles = baffle_lines(p.tank);
-  const auto tank = tank_alone(p);
+  const auto tank = tank_alone<2>(p);
+  const auto baffles = baffle_lines(p, tank->bounds());
   if (baffles.empty()) return tank;
-  const double l0 = p.particles.spacing;
-  return std::make_shared<Baffled>(tank, baffles, l0, (longest_support(p.method) + 1) * l0);
+  return std::make_shared<Baffled>(tank, baffles, p.particles.spacing, reach_of(p));
 }
 
 template <>
 std::shared_ptr<const Shape<3>> make_shape(const Parameters& p) {
-  if (is_lattice_box(p)) return std::make_shared<Box<3>>(p);
-  return std::visit(
-      [](auto body) -> std::shared_ptr<const Shape<3>> { return std::make_shared<decltype(body)>(std::move(body)); },
-      tank_body(p));
+  const auto tank = tank_alone<3>(p);
+  if (!has_baffles(p.tank)) return tank;
+  return std::make_shared<BaffledBody>(tank, flat_baffles(p, tank->bounds()), p.particles.spacing, reach_of(p));
 }
 
 SurfaceMesh wall_surface(const Parameters& p) {

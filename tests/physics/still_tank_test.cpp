@@ -126,6 +126,40 @@ TEST(Baffle, LetsNothingThrough) {
   }
 }
 
+/// Water on the left of a plate across a 3-D box, which is empty on its right.
+Parameters dammed() {
+  Parameters p = still_tank(0.24, 0.1, 0.16, 0.02);
+  p.tank.width = 0.12;
+  p.fluid.column = 0.12;
+  p.tank.baffles = {{.corners = {{0.12, 0, 0}, {0.12, 0, 0.12}, {0.12, 0.16, 0.12}}}};
+  return p;
+}
+
+long right_of_plate(const Frame& frame) {
+  long count = 0;
+  for (std::size_t i = 0; i < frame.size(); ++i) count += frame.kind[i] == Kind::fluid && frame.position[i][0] > 0.12;
+  return count;
+}
+
+TEST(Baffle, HoldsTwoLevelsIn3D) {
+  const auto simulation = make_simulation(dammed(), 0);
+  run(*simulation, 0.1, 0.6, [&](const Frame& frame) {
+    EXPECT_EQ(right_of_plate(frame), 0) << frame.time << " s";
+    if (frame.time > 0.3) EXPECT_LT(fastest(frame), 0.05) << frame.time << " s";
+  });
+  EXPECT_EQ(simulation->statistics().leaked, 0);
+}
+
+TEST(Baffle, LetsLiquidThroughItsHole) {
+  Parameters p = dammed();
+  p.tank.baffles[0].holes = {{0.12, 0.05, 0.06, 0.03}};
+  const auto simulation = make_simulation(p, 0);
+  long passed = 0;
+  run(*simulation, 0.1, 0.3, [&](const Frame& frame) { passed = right_of_plate(frame); });
+  EXPECT_GT(passed, 10);
+  EXPECT_EQ(simulation->statistics().leaked, 0);
+}
+
 // Ghost walls hold still water whenever particles move.
 TEST(StillTank, KeepsHydrostaticPressureWhereParticlesMoveFirst) {
   Parameters p = still_tank(0.5, 0.2, 0.3, 0.01);

@@ -40,10 +40,12 @@ Baffled::Baffled(std::shared_ptr<const Shape<2>> tank, const std::vector<BaffleL
     : tank_(std::move(tank)) {
   for (const BaffleLine& given : baffles) {
     const BaffleLine baffle = prolonged(given, *tank_, touching * l0);
+    names_.push_back(baffle.name);
     outlines_.push_back(outline_of(baffle));
     solid_of_.push_back(baffle.thickness > 0 ? static_cast<int>(solids_.size()) : -1);
     if (baffle.thickness > 0) solids_.push_back(polygon(outlines_.back()));
   }
+  names_ = numbered(names_);
   for (const auto& patch : tank_->surface().patches) patches_.push_back(patch.name);
   for (std::size_t k = 0; k < outlines_.size(); ++k) {
     const std::size_t before = sides_.size();
@@ -151,7 +153,7 @@ SurfaceMesh Baffled::surface() const {
     for (const auto& face : patch.faces) add_parts(point(face[0]), point(face[1]));
   }
   for (std::size_t k = 0; k < outlines_.size(); ++k) {
-    mesh.patches.push_back({outlines_.size() == 1 ? "baffle" : fmt::format("baffle_{}", k + 1), {}});
+    mesh.patches.push_back({names_[k], {}});
     for (const Side& side : sides_)
       if (side.baffle == static_cast<int>(k)) add_parts(side.to, side.from);
   }

@@ -52,6 +52,7 @@ class Baffled final : public Shape<2> {
   std::vector<int> solid_of_;                  ///< of each baffle its place in `solids_`, -1 of a plate
   std::vector<Contour> solids_;
   std::vector<std::string> patches_;  ///< the tank's
+  std::vector<std::string> names_;    ///< of the baffles' patches
   std::vector<Side> sides_;
   std::shared_ptr<const Baffles<2>> faces_;
 };

@@ -7,11 +7,10 @@
 
 #include "solver/errors.hpp"
 #include "solver/tank/baffles/baffled.hpp"
+#include "solver/tank/baffles/check_gap.hpp"
 
 namespace seiche::solver {
 namespace {
-
-constexpr double narrowest = 2;  // gap through which liquid flows [l0]
 
 /// Points along a line, half a spacing apart or less.
 Vecs<2> points_along(const std::vector<Vec<2>>& line, double l0) {
@@ -31,25 +30,17 @@ double distance_to(const std::vector<Vec<2>>& line, const Vec<2>& r) {
   return least;
 }
 
-/// Throws where the distance along a line falls to less than the narrowest gap, and not to contact, and rises again: a
-/// line that leaves a wall which it meets is no gap.
 template <class Distance>
-void check_gap(const Vecs<2>& points, const Distance& distance, double l0, const char* to_what) {
-  std::vector<double> gap;
-  for (const Vec<2>& r : points) gap.push_back(distance(r));
-  for (std::size_t k = 0; k < gap.size(); ++k) {
-    const bool is_least = (k == 0 || gap[k] <= gap[k - 1]) && (k + 1 == gap.size() || gap[k] <= gap[k + 1]);
-    if (!is_least || gap[k] <= Baffled::touching * l0 || gap[k] >= narrowest * l0 * (1 - 1e-6)) continue;
-    throw BadParameters(fmt::format(
-        "the gap of {:.4g} m between the baffle at ({:.6g}, {:.6g}) m and {} is {:.3g} spacings wide; a run needs 2: "
-        "take particles.spacing = {:.4g} or less, or close the gap",
-        gap[k], points[k][0], points[k][1], to_what, gap[k] / l0, gap[k] / narrowest));
-  }
+Scalars along(const Vecs<2>& points, const Distance& distance) {
+  Scalars all;
+  for (const Vec<2>& r : points) all.push_back(distance(r));
+  return all;
 }
 
 }  // namespace
 
 void check_baffles(const Shape<2>& tank, const std::vector<BaffleLine>& baffles, double l0) {
+  const double touching = Baffled::touching * l0;
   for (std::size_t k = 0; k < baffles.size(); ++k) {
     const BaffleLine& baffle = baffles[k];
     outline_of(baffle);  // throws
@@ -68,17 +59,15 @@ void check_baffles(const Shape<2>& tank, const std::vector<BaffleLine>& baffles,
         std::any_of(points.begin(), points.end(), [&](const Vec<2>& r) { return tank.nearest(r).distance < 0; });
     if (!inside) continue;  // it lies outside the tank, which is said elsewhere
     const auto ends = [&](const Vec<2>& r) { return r == points.front() || r == points.back(); };
-    check_gap(
-        points, [&](const Vec<2>& r) { return -tank.nearest(r).distance - (ends(r) ? 0 : half); }, l0,
-        "the tank's wall");
-    for (std::size_t other = 0; other < baffles.size(); ++other)
-      if (other != k)
-        check_gap(
-            points,
-            [&](const Vec<2>& r) {
-              return distance_to(baffles[other].points, r) - 0.5 * baffles[other].thickness - (ends(r) ? 0 : half);
-            },
-            l0, "another baffle");
+    const auto to_wall = [&](const Vec<2>& r) { return -tank.nearest(r).distance - (ends(r) ? 0 : half); };
+    check_gap<2>(points, along(points, to_wall), l0, touching, "the baffle", "the tank's wall");
+    for (std::size_t other = 0; other < baffles.size(); ++other) {
+      if (other == k) continue;
+      const auto to_other = [&](const Vec<2>& r) {
+        return distance_to(baffles[other].points, r) - 0.5 * baffles[other].thickness - (ends(r) ? 0 : half);
+      };
+      check_gap<2>(points, along(points, to_other), l0, touching, "the baffle", "another baffle");
+    }
   }
 }
 

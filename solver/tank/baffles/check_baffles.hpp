@@ -1,5 +1,5 @@
 #pragma once
-#include "solver/tank/baffles/outline.hpp"
+#include "solver/tank/baffles/flat_baffle.hpp"
 
 namespace seiche::solver {
 
@@ -7,5 +7,8 @@ namespace seiche::solver {
 /// baffle which is no contact and less than two spacings wide, with the spacing that would do.
 /// @param tank without baffles
 void check_baffles(const Shape<2>& tank, const std::vector<BaffleLine>& baffles, double l0);
+
+/// The same in 3-D, along rims and for what is narrower than a spacing; holes are two spacings wide at least.
+void check_baffles(const Shape<3>& tank, const std::vector<FlatBaffle>& baffles, double l0);
 
 }  // namespace seiche::solver

@@ -66,4 +66,14 @@ std::vector<double> crossings_of(const Vec<2>& a, const Vec<2>& b, const std::ve
   return shares;
 }
 
+std::vector<std::string> numbered(const std::vector<std::string>& names) {
+  std::vector<std::string> all = names;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (std::count(names.begin(), names.end(), names[k]) > 1) {
+      const auto end = names.begin() + static_cast<std::ptrdiff_t>(k) + 1;
+      all[k] += fmt::format("_{}", std::count(names.begin(), end, names[k]));
+    }
+  return all;
+}
+
 }  // namespace seiche::solver

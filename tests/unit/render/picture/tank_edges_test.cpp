@@ -52,5 +52,12 @@ TEST(TankEdges, OfASphereAreItsOutline) {
   EXPECT_LT(seen, 2 * std::numbers::pi * 1.5);
 }
 
+// Both sides of two squares beside each other.
+TEST(TankEdges, OfAPlateAreItsRim) {
+  SurfaceMesh plate{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}}, {{"baffle", {}}}};
+  plate.patches[0].faces = {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 1, 0}, {4, 5, 2, 1}};
+  EXPECT_NEAR(length(tank_edges(plate, to_camera)), 6, 1e-12);
+}
+
 }  // namespace
 }  // namespace seiche::render

@@ -70,12 +70,14 @@ TEST(Baffles, KnowWhatIsNearThemAndAtAPlatesRim) {
       << "where there is none";
 }
 
+/// A square of side 2 about the origin in the plane x = 0, with a round hole of radius 1/2.
+BaffleFace<3> holed() {
+  return {FlatSide(Vec<3>::Zero(), Vec<3>::UnitY(), Vec<3>::UnitZ(), Vec<3>::UnitX(),
+                   {{1, 1}, 0, {{Vec<2>::Zero(), 0.5}}}, true)};
+}
+
 TEST(Baffles, HaveHolesIn3D) {
-  // A square of side 2 about the origin in the plane x = 0, its normal along x, with a hole of side 1.
-  const auto square = [](double half) {
-    return std::vector<Vec<2>>{{-half, -half}, {half, -half}, {half, half}, {-half, half}};
-  };
-  const BaffleFace<3> face({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {square(1), square(0.5)}, true);
+  const BaffleFace<3> face = holed();
   const Baffles<3> baffles({face});
   EXPECT_EQ(baffles.entered({-0.1, 0.7, 0}, {0.1, 0.7, 0}), 0);
   EXPECT_EQ(baffles.entered({0.1, 0.7, 0}, {-0.1, 0.7, 0}), -1) << "from behind";
@@ -83,7 +85,33 @@ TEST(Baffles, HaveHolesIn3D) {
   EXPECT_EQ(baffles.entered({-0.1, 1.1, 0}, {0.1, 1.1, 0}), -1) << "beside it";
   EXPECT_LT((face.nearest({3, 0.4, 0}) - Vec<3>(0, 0.5, 0)).norm(), 1e-12);
   EXPECT_LT((face.nearest({3, 0.7, 0}) - Vec<3>(0, 0.7, 0)).norm(), 1e-12);
-  EXPECT_NEAR(face.distance_to_rim({0, 0.8, 0}), 0.2, 1e-12);
+  EXPECT_TRUE(baffles.is_at_rim({0, 0.8, 0}, 0.201));
+  EXPECT_FALSE(baffles.is_at_rim({0, 0.8, 0}, 0.199));
+  EXPECT_TRUE(baffles.is_near({0.3, 0.1, 0}, 0.501)) << "hypot(0.3, 0.4)";
+  EXPECT_FALSE(baffles.is_near({0.3, 0.1, 0}, 0.499));
+}
+
+TEST(Baffles, AreRoundAtTheRimOfAThickDisc) {
+  const RoundSide rim{Vec<3>::Zero(), Vec<3>::UnitY(), 1, 0.1, false};
+  const Baffles<3> baffles({{rim}});
+  EXPECT_NEAR(rim.behind({0.6, 5, 0.6}), 1 - std::hypot(0.6, 0.6), 1e-12);
+  EXPECT_EQ(baffles.entered({1.1, 0, 0}, {0.9, 0.05, 0}), 0);
+  EXPECT_EQ(baffles.entered({1.1, 0, 0}, {0.9, 0.3, 0}), -1) << "above it";
+  EXPECT_EQ(baffles.entered({0.9, 0, 0}, {1.1, 0, 0}), -1) << "from within";
+  EXPECT_EQ(baffles.entered({0.8, 0, 0.8}, {0.8, 0, -0.8}), 0) << "from before it to before it, through it";
+  EXPECT_EQ(baffles.entered({1.01, 0, 0.8}, {1.01, 0, -0.8}), -1);
+  EXPECT_NEAR(rim.entry({1.1, 0, 0}, {0.9, 0, 0}, 1), 0.5, 1e-12);
+  EXPECT_LT((rim.normal_at({0.3, 0, 0.4}) - Vec<3>(-0.6, 0, -0.8)).norm(), 1e-12) << "into the disc";
+}
+
+TEST(Baffles, AreRoundAroundAHoleThroughAThickOne) {
+  const RoundSide rim{Vec<3>::Zero(), Vec<3>::UnitY(), 1, 0.1, true};
+  const Baffles<3> baffles({{rim}});
+  EXPECT_EQ(baffles.entered({0.9, 0, 0}, {1.1, 0, 0}), 0);
+  EXPECT_EQ(baffles.entered({1.1, 0, 0}, {0.9, 0, 0}), -1);
+  EXPECT_EQ(baffles.entered({0.9, -0.2, 0}, {0.9, 0.2, 0}), -1) << "through the hole";
+  EXPECT_EQ(baffles.entered({1.1, 0.3, 0}, {-1.1, -0.3, 0}), -1) << "slantwise through it: beyond its wall there";
+  EXPECT_LT((rim.normal_at({0.3, 0, 0.4}) - Vec<3>(0.6, 0, 0.8)).norm(), 1e-12);
 }
 
 }  // namespace

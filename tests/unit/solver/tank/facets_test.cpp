@@ -51,5 +51,17 @@ TEST(Facets, CoverASphereInPiecesAsLargeAsParticles) {
     for (const auto& point : facet.points) EXPECT_LT(point.offset.cwiseAbs().maxCoeff(), 1.5 * l0);
 }
 
+TEST(Facets, OfAPlateFaceOneSideEach) {
+  // The plate lies within the cubes of one column.
+  SurfaceMesh mesh{{{0, 0, 0}, {0.013, 0, 0}, {0.013, 0.05, 0}}, {{"floor", {{0, 1}}}, {"baffle", {{1, 2}, {2, 1}}}}};
+  double area = 0;
+  for (const auto& facet : facets_of<2>(mesh, 0.05))
+    for (const auto& point : facet.points) {
+      EXPECT_GT(point.area.dot(facet.points.front().area), 0);
+      area += point.area.norm();
+    }
+  EXPECT_NEAR(area, 0.113, 1e-12);
+}
+
 }  // namespace
 }  // namespace seiche::solver

@@ -161,7 +161,7 @@ TEST(Baffled, WhatNoRunCanHaveIsRefused) {
   EXPECT_NO_THROW(check_parameters(two)) << "they touch";
   Parameters body = with({{{0.1, 0}, {0.1, 0.05}}, 0});
   body.tank.width = 0.1;
-  test::expect_refused(body, {"tank.baffle", "2-D", "tank.section"});
+  test::expect_refused(body, {"tank.baffle", "2-D", "corners", "tank.section"});
   Parameters paper = with({{{0.1, 0}, {0.1, 0.05}}, 0});
   paper.method.wall_model = WallModel::particles;
   test::expect_refused(paper, {"tank.baffle", "wall_model", "ghosts"});
