@@ -135,6 +135,16 @@ TEST_F(StoredRunTest, ReadsProbesUpToTheLastWholeLine) {
   EXPECT_TRUE(column_of(readings, run.info, "eta_right").time.empty());
 }
 
+TEST_F(StoredRunTest, ReadsAnEmptyCellAsAGap) {
+  const std::size_t columns = stored().info.sensors.size();
+  write_text(scratch / "out" / "probes.csv",
+             fmt::format("t [s],{}\n0.000000{}\n", fmt::join(test::headers(stored().info.sensors), ","),
+                         std::string(columns, ',')));
+  const Readings readings = stored_readings(stored());
+  ASSERT_EQ(readings.values.size(), columns);
+  for (const double value : readings.values) EXPECT_TRUE(std::isnan(value));
+}
+
 TEST_F(StoredRunTest, ListsFramesAndPictures) {
   EXPECT_TRUE(stored_frames(stored()).empty());
   EXPECT_TRUE(stored_pictures(stored()).empty());
