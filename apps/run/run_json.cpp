@@ -135,7 +135,8 @@ void read_parameters(const nlohmann::json& json, Scene& scene) {
       refuse_if(assign(option, scene, value_from(*found)));
   }
   for (const List& list : lists()) {
-    const auto& tables = json.at(std::string(list.section)).at(std::string(list.key));
+    const auto& section = json.at(std::string(list.section));
+    const nlohmann::json tables = section.value(std::string(list.key), nlohmann::json::array());
     list.reset(scene, tables.size());
     for (std::size_t row = 0; row < tables.size(); ++row)
       for (const Member& member : list.members)

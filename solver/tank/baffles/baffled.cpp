@@ -161,9 +161,31 @@ SurfaceMesh Baffled::surface() const {
 }
 
 std::vector<WallPoint<2>> Baffled::wall_points(int layers, double l0, double reach) const {
-  std::vector<WallPoint<2>> points = tank_->wall_points(layers, l0, reach);
+  std::vector<WallPoint<2>> points;
+  for (const WallPoint<2>& point : tank_->wall_points(layers, l0, reach)) add_parts(point, l0, points);
   for (std::size_t k = 0; k < sides_.size(); ++k) add_points(sides_[k], static_cast<int>(k), layers, l0, reach, points);
   return points;
+}
+
+void Baffled::add_parts(const WallPoint<2>& point, double l0, std::vector<WallPoint<2>>& points) const {
+  const Vec<2> way = point.weight * l0 * Vec<2>(-point.normal[1], point.normal[0]), from = point.position - 0.5 * way;
+  std::vector<double> cuts{0, 1};
+  for (const BaffleFace<2>& face : faces_->faces()) {
+    const double before = face.behind(from), after = face.behind(from + way);
+    if (before * after >= 0) continue;
+    const double share = before / (before - after);
+    if (face.holds(from + share * way)) cuts.push_back(share);
+  }
+  if (cuts.size() == 2) return points.push_back(point);
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    const double share = cuts[k + 1] - cuts[k];
+    if (share < 1e-6) continue;
+    WallPoint<2> part = point;
+    part.position = from + 0.5 * (cuts[k] + cuts[k + 1]) * way;
+    part.weight = share * point.weight;
+    points.push_back(part);
+  }
 }
 
 void Baffled::add_points(const Side& side, int face, int layers, double l0, double reach,

@@ -44,6 +44,9 @@ class Baffled final : public Shape<2> {
 
   bool is_in_solid(const Vec<2>& r) const;
   void add_sides(int baffle, double l0);
+  /// A point of the tank's wall, or where sides of baffles cut the length that it stands for, a point for each part:
+  /// each side's liquid sees its own alone.
+  void add_parts(const WallPoint<2>& point, double l0, std::vector<WallPoint<2>>& points) const;
   void add_points(const Side& side, int face, int layers, double l0, double reach,
                   std::vector<WallPoint<2>>& points) const;
 

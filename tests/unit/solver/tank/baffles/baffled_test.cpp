@@ -110,6 +110,20 @@ TEST(Baffled, LiquidBesideBafflesLacksNoNeighbours) {
   }
 }
 
+// A divider 1 l0 thick whose sides lie in the middle of cells: of the floor below each chamber as much counts as it is
+// long.
+TEST(Baffled, CutsTheWallsPointsWhereItsSidesMeetThem) {
+  const auto tank = make_shape<2>(with({{{0.1, -0.1}, {0.1, 0.3}}, l0}));
+  double left = 0, right = 0;
+  for (const WallPoint<2>& point : tank->wall_points(1, l0, 3.6 * l0)) {
+    if (point.behind >= 0 || point.position[1] > 0 || point.normal[1] != -1) continue;
+    if (point.position[0] < 0.095) left += point.weight;
+    if (point.position[0] > 0.105) right += point.weight;
+  }
+  EXPECT_NEAR(left * l0, 0.095, 1e-9);
+  EXPECT_NEAR(right * l0, 0.3 - 0.105, 1e-9);
+}
+
 TEST(Baffled, ADividedBoxIsTwoBoxes) {
   Parameters left = box();
   left.tank.length = 0.1;
