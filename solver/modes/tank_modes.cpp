@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "solver/modes/cut_out.hpp"
-#include "solver/tank/baffles_of.hpp"
+#include "solver/tank/baffles/baffles_of.hpp"
 #include "solver/tank/level_axes.hpp"
 
 namespace seiche::solver::modes {

@@ -2,8 +2,8 @@
 
 #include "solver/errors.hpp"
 #include "solver/tank/baffles/baffled_body.hpp"
+#include "solver/tank/baffles/baffles_of.hpp"
 #include "solver/tank/baffles/check_baffles.hpp"
-#include "solver/tank/baffles_of.hpp"
 #include "solver/tank/body.hpp"
 #include "solver/tank/box.hpp"
 #include "solver/tank/filling.hpp"

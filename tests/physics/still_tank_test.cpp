@@ -143,16 +143,18 @@ long right_of_plate(const Frame& frame) {
 
 TEST(Baffle, HoldsTwoLevelsIn3D) {
   const auto simulation = make_simulation(dammed(), 0);
+  double fast = 0;
   run(*simulation, 0.1, 0.6, [&](const Frame& frame) {
     EXPECT_EQ(right_of_plate(frame), 0) << frame.time << " s";
-    if (frame.time > 0.3) EXPECT_LT(fastest(frame), 0.05) << frame.time << " s";
+    fast = std::max(fast, frame.time > 0.3 ? fastest(frame) : 0);
   });
+  EXPECT_LT(fast, 0.05);
   EXPECT_EQ(simulation->statistics().leaked, 0);
 }
 
 TEST(Baffle, LetsLiquidThroughItsHole) {
   Parameters p = dammed();
-  p.tank.baffles[0].holes = {{0.12, 0.05, 0.06, 0.03}};
+  p.tank.baffles[0].holes = {{0.12, 0.06, 0.06, 0.02}};
   const auto simulation = make_simulation(p, 0);
   long passed = 0;
   run(*simulation, 0.1, 0.3, [&](const Frame& frame) { passed = right_of_plate(frame); });

@@ -39,9 +39,24 @@ Vecs<2> rim_of_hole(const FlatRegion& region, std::size_t k) {
   return circle(hole.centre, hole.radius, is_ring(region) ? around_disc : around_hole);
 }
 
+/// Moves corners of a disc's outline beyond the tank's wall back to that, towards the disc's middle or a ring's
+/// opening, so that pieces end on the wall.
+void pull_back(const FlatBaffle& baffle, const Shape<3>& tank, Vecs<2>& corners) {
+  const auto is_inside = [&](const Vec<2>& r) { return tank.nearest(baffle.placed(r)).distance < 0; };
+  const double from = is_ring(baffle.region) ? baffle.region.holes[0].radius / baffle.region.round : 0;
+  for (Vec<2>& corner : corners) {
+    double inside = from, outside = 1;
+    if (!is_inside(inside * corner) || is_inside(corner)) continue;
+    for (int k = 0; k < 50; ++k) {
+      const double middle = 0.5 * (inside + outside);
+      (is_inside(middle * corner) ? inside : outside) = middle;
+    }
+    corner *= inside;
+  }
+}
+
 /// The region in convex pieces, counter-clockwise.
-std::vector<Vecs<2>> pieces_of(const FlatRegion& region) {
-  const Vecs<2> outer = outline(region);
+std::vector<Vecs<2>> pieces_of(const FlatRegion& region, const Vecs<2>& outer) {
   if (is_ring(region)) {
     const Vecs<2> inner = rim_of_hole(region, 0);
     std::vector<Vecs<2>> pieces;
@@ -92,8 +107,10 @@ std::vector<Face<3>> prism_on(const FlatBaffle& baffle, const Vecs<2>& corners) 
 }  // namespace
 
 Polygons3 polygons_of(const FlatBaffle& baffle, const Rims& rims, const Shape<3>& tank, double l0, double touching) {
+  Vecs<2> outer = outline(baffle.region);
+  if (baffle.region.is_disc() && rims.outer[0].on_wall) pull_back(baffle, tank, outer);
   Polygons3 whole;
-  for (const Vecs<2>& piece : pieces_of(baffle.region))
+  for (const Vecs<2>& piece : pieces_of(baffle.region, outer))
     for (const double side : {1.0, -1.0}) {
       Polygon3 polygon;
       for (const Vec<2>& r : piece) polygon.push_back(baffle.placed(r, side * 0.5 * baffle.thickness));
@@ -104,9 +121,9 @@ Polygons3 polygons_of(const FlatBaffle& baffle, const Rims& rims, const Shape<3>
     const bool is_disc = baffle.region.is_disc();
     const auto on_wall = [&](std::size_t side) { return rims.outer[side].on_wall; };
     if (!is_disc)  // its outline's sides are those at -v, +u, +v, -u
-      add_walls(baffle, outline(baffle.region), {on_wall(2), on_wall(1), on_wall(3), on_wall(0)}, false, whole);
+      add_walls(baffle, outer, {on_wall(2), on_wall(1), on_wall(3), on_wall(0)}, false, whole);
     else if (!on_wall(0))
-      add_walls(baffle, outline(baffle.region), {}, false, whole);
+      add_walls(baffle, outer, {}, false, whole);
     for (std::size_t k = 0; k < baffle.region.holes.size(); ++k)
       if (!rims.holes[k].on_wall) add_walls(baffle, rim_of_hole(baffle.region, k), {}, true, whole);
   }

@@ -52,7 +52,7 @@ struct Cut {
     if (extent <= finest || halvings > 60) {
       const Scalars at = values(polygon, distance);
       const bool whole = *std::max_element(at.begin(), at.end()) <= slack;
-      if (Polygon3 part = whole ? polygon : below(polygon, at); !part.empty()) kept.push_back(std::move(part));
+      if (Polygon3 part = whole ? polygon : cut_off(polygon, at); !part.empty()) kept.push_back(std::move(part));
       return whole;
     }
     const std::size_t begin = kept.size();
@@ -63,6 +63,24 @@ struct Cut {
     kept.resize(begin);
     kept.push_back(polygon);
     return true;
+  }
+
+  /// What lies within; its sides end where the distance is the slack, which may bend along them, as in a corner.
+  Polygon3 cut_off(const Polygon3& polygon, const Scalars& at) const {
+    Polygon3 part;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const std::size_t next = (k + 1) % polygon.size();
+      const bool is_in = at[k] <= slack;
+      if (is_in) part.push_back(polygon[k]);
+      if (is_in == (at[next] <= slack)) continue;
+      Vec<3> in = polygon[is_in ? k : next], out = polygon[is_in ? next : k];
+      for (int halving = 0; halving < 40; ++halving) {
+        const Vec<3> middle = 0.5 * (in + out);
+        (distance(middle) <= slack ? in : out) = middle;
+      }
+      if ((in - polygon[k]).squaredNorm() > 0) part.push_back(in);
+    }
+    return part.size() < 3 ? Polygon3() : part;
   }
 };
 
@@ -78,7 +96,8 @@ Polygon3 before(const Polygon3& polygon, const Face<3>& plane) {
 
 Polygons3 inside(const Polygon3& polygon, const std::function<double(const Vec<3>&)>& distance, double slack,
                  double finest) {
-  Cut cut{distance, slack, finest, {}};
+  Cut whole{distance, slack, finest, {}}, cut{distance, 1e-9 * finest, finest, {}};
+  if (whole.add(polygon)) return {polygon};
   cut.add(polygon);
   return std::move(cut.kept);
 }

@@ -17,7 +17,7 @@ Polygon3 before(const Polygon3& polygon, const Face<3>& plane);
 /// What of a convex polygon lies where a signed distance is negative, in convex pieces; the whole where all of it is,
 /// within the slack. Exact where the distance is that to a plane, of second order in the size of the pieces that a
 /// curved one cuts.
-/// @param slack greater distances are cut off, [m]
+/// @param slack so far beyond, it may all be kept [m]
 /// @param finest pieces aren't parted any more [m]
 Polygons3 inside(const Polygon3& polygon, const std::function<double(const Vec<3>&)>& distance, double slack,
                  double finest);

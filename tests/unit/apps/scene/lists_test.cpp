@@ -41,8 +41,12 @@ TEST(Lists, EachKeySetsItsOwnMemberOfItsOwnTableAndNoOther) {
       list.reset(fresh, 2);
       const auto* range = std::get_if<Range>(&member.rule);
       const auto* choices = std::get_if<Choices>(&member.rule);
+      const auto* tuple = std::get_if<Tuple>(&member.rule);
+      const auto* tuples = std::get_if<Tuples>(&member.rule);
       const Value value = range                                         ? Value(range->high)
                           : choices                                     ? Value(std::string(choices->back()))
+                          : tuple                                       ? Value(Numbers(tuple->count, 7))
+                          : tuples                                      ? Value(Rows(2, Numbers(tuples->count, 7)))
                           : std::holds_alternative<Pairs>(member.rule)  ? Value(Points{{0, 1}, {2, 3}})
                           : std::holds_alternative<Vector>(member.rule) ? Value(Numbers{1, 2, 3})
                                                                         : Value(std::string("other"));
@@ -66,6 +70,23 @@ TEST(Lists, ATankHasBaffles) {
   EXPECT_EQ(baffles[0].thickness, 0.02);
   EXPECT_EQ(baffles[1].points.size(), 2u);
   EXPECT_TRUE(parse_scene(text, "x.toml", {parse_set("tank.baffle=[]")}).parameters.tank.baffles.empty());
+}
+
+TEST(Lists, ATankHasFlatBafflesAndRings) {
+  const std::string text =
+      "[tank]\nwidth = 0.2\n[[tank.baffle]]\ncorners = [[0, 0, 0], [0, 0, 1], [0, 1, 1]]\nholes = [[0, 0.5, 0.5, "
+      "0.1]]\n[[tank.ring]]\ncentre = [0, 0.2, 0]\ninner = 0.1\n";
+  const auto tank = parse_scene(text, "x.toml", {}).parameters.tank;
+  ASSERT_EQ(tank.baffles.size(), 1u);
+  EXPECT_EQ(tank.baffles[0].corners, (Triples{{0, 0, 0}, {0, 0, 1}, {0, 1, 1}}));
+  EXPECT_EQ(tank.baffles[0].holes, (Quadruples{{0, 0.5, 0.5, 0.1}}));
+  ASSERT_EQ(tank.rings.size(), 1u);
+  EXPECT_EQ(tank.rings[0].centre, (Triple{0, 0.2, 0}));
+  EXPECT_EQ(tank.rings[0].normal, (Triple{0, 1, 0}));
+  const std::string wrong =
+      errors_of("[[tank.ring]]\ncentre = [0, 1]\ninner = 0.1\n[[tank.baffle]]\nholes = [[0, 0, 0]]\n");
+  EXPECT_NE(wrong.find("[[tank.ring]] centre"), std::string::npos) << wrong;
+  EXPECT_NE(wrong.find("[[tank.baffle]] holes"), std::string::npos) << wrong;
 }
 
 TEST(Lists, TablesReachTheirMembersInOrder) {

@@ -108,8 +108,9 @@ TEST(BaffledBody, LiquidBesideBafflesLacksNoNeighbours) {
     EXPECT_EQ(here.size(), whole.size() - std::lround(solid / (l0 * l0 * l0)));
     // Behind a baffle that reaches above the level solids count there, too; they are dry.
     for (const auto& [place, density] : here)
-      if (baffle.corners[2][1] < 0.12 || place[1] < 60000)
+      if (baffle.corners[2][1] < 0.12 || place[1] < 60000) {
         EXPECT_NEAR(density, whole.at(place), 1e-9 * density) << place[0] << ' ' << place[1] << ' ' << place[2];
+      }
   }
 }
 

@@ -57,6 +57,27 @@ TEST(Baffled, ASlantedOneMeetsTheWallWithAllOfItsEnd) {
   EXPECT_NEAR(volume_of(wall), 0.3 * 0.2 - 0.02 * length, 1e-12) << "triangles at the foot cancel";
 }
 
+TEST(Baffled, OneAcrossTheTankIsALineUpFromTheFloor) {
+  const SurfaceMesh wall = wall_surface(with({.thickness = 0.02, .x = 0.1, .height = 0.08}));
+  EXPECT_NEAR(volume_of(wall), 0.3 * 0.2 - 0.02 * 0.08, 1e-12);
+}
+
+TEST(Baffled, ASectionHasWhatItCutsOfARing) {
+  Parameters p = box();
+  p.tank = {.shape = TankShape::cylinder, .length = 0.4, .height = 0, .radius = 0.25};
+  p.tank.rings = {{.centre = {0, 0.2, 0}, .inner = 0.2}};
+  p.tank.section = SectionPlane{Axis::z, 0};
+  const SurfaceMesh through_axis = wall_surface(p);
+  EXPECT_NEAR(area_of(through_axis), 2 * (0.5 + 0.4) + 2 * 2 * 0.05, 1e-9) << "both sides of both parts";
+  EXPECT_EQ(through_axis.patches.back().name, "ring_2");
+  p.tank.section->at = 0.22;
+  const SurfaceMesh beside = wall_surface(p);
+  const double width = 2 * std::sqrt(0.25 * 0.25 - 0.22 * 0.22);
+  EXPECT_NEAR(area_of(beside), 2 * (width + 0.4) + 2 * width, 1e-6) << "past its opening";
+  EXPECT_EQ(beside.patches.back().name, "ring");
+  EXPECT_NO_THROW(check_parameters(p));
+}
+
 TEST(Baffled, ItsDistanceIsThatToTheNearestWall) {
   const auto tank = make_shape<2>(with({{{0.1, 0}, {0.1, 0.08}}, 0.02}));
   EXPECT_NEAR(tank->nearest({0.12, 0.05}).distance, -0.01, 1e-12);

@@ -1,9 +1,8 @@
-#include "solver/tank/baffles_of.hpp"
+#include "solver/tank/baffles/baffles_of.hpp"
 
 #include <fmt/format.h>
 
 #include "solver/errors.hpp"
-#include "solver/tank/body.hpp"
 
 namespace seiche::solver {
 namespace {
@@ -50,12 +49,21 @@ FlatBaffle ring_of(const Parameters::Tank::Ring& ring, double farthest) {
   return all;
 }
 
-/// Farther than any point of a tank is from any point within its bounds.
-template <int D>
-double farthest_in(const Bounds<D>& bounds, const std::array<double, 3>& from) {
-  double off = 0;
-  for (int a = 0; a < D; ++a) off += std::abs(from[static_cast<std::size_t>(a)] - 0.5 * (bounds.low + bounds.high)[a]);
-  return bounds.size().norm() + off;
+/// Farther than any point of the tank is from a point.
+double farthest_in(const Bounds<3>& bounds, const std::array<double, 3>& from) {
+  return bounds.size().norm() + (Vec<3>(from.data()) - bounds.low).norm();
+}
+
+/// What a section of these bounds lies in.
+Bounds<3> bounds_of(const Bounds<2>& flat, const SectionPlane& plane) {
+  const int axis = static_cast<int>(plane.axis), across = 2 - axis;  // the run's x
+  Bounds<3> bounds;
+  for (auto [end, from] : {std::pair{&bounds.low, &flat.low}, {&bounds.high, &flat.high}}) {
+    (*end)[axis] = plane.at;
+    (*end)[across] = (*from)[0];
+    (*end)[1] = (*from)[1];
+  }
+  return bounds;
 }
 
 void check_no_holes(const Baffle& baffle) {
@@ -101,8 +109,7 @@ std::vector<BaffleLine> baffle_lines(const Parameters& p, const Bounds<2>& bound
   }
   for (const auto& ring : p.tank.rings) {
     check_section("[[tank.ring]]");
-    const Bounds<3> body = std::visit([](const auto& tank) { return tank.bounds(); }, tank_body(p));
-    cut(ring_of(ring, farthest_in(body, ring.centre)));
+    cut(ring_of(ring, farthest_in(bounds_of(bounds, *p.tank.section), ring.centre)));
   }
   return lines;
 }
