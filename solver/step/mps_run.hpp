@@ -1,13 +1,13 @@
 #pragma once
 #include <utility>
 
+#include "solver/modes/standing_wave.hpp"
 #include "solver/preset.hpp"
 #include "solver/step/derived.hpp"
 #include "solver/step/mps.hpp"
 #include "solver/step/snapshot.hpp"
 #include "solver/tank/filling.hpp"
 #include "solver/tank/lost_particles.hpp"
-#include "solver/modes/standing_wave.hpp"
 
 // A run of Mps: how it starts, takes a step, hands out frames and goes on from a state.
 namespace seiche::solver {

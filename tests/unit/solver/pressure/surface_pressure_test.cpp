@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/modes/standing_wave.hpp"
 #include "solver/operators/divergence.hpp"
 #include "solver/operators/strain_rate.hpp"
 #include "solver/pressure/pressure_solver.hpp"
-#include "solver/modes/standing_wave.hpp"
 #include "tests/unit/solver/still_tank.hpp"
 
 namespace seiche::solver {
