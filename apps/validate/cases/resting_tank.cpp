@@ -13,7 +13,7 @@
 namespace seiche::apps::validate {
 
 void rest(Bench& bench, const Asked& tank, std::vector<Figure>& figures) {
-  const double froude = std::sqrt(tank.scale), end = bench.quick() ? 2 : 5;
+  const double froude = std::sqrt(tank.scale), end = bench.quick() ? 2 : tank.still_end;
   double squares = 0, moving = 0, fastest = 0;
   long frames = 0;
   std::vector<std::string> settings = tank.settings;
@@ -44,11 +44,11 @@ void rest(Bench& bench, const Asked& tank, std::vector<Figure>& figures) {
 
 void swing(Bench& bench, const Asked& tank, Findings& found, Chart& chart) {
   std::vector<std::string> settings = tank.settings;
-  settings.insert(settings.end(), {"motion.type=file", "motion.file=kick.csv", "motion.start=smooth", "time.end=11",
-                                   "output.frame_rate=5"});
+  settings.insert(settings.end(), {"motion.type=file", "motion.file=kick.csv", "motion.start=smooth",
+                                   fmt::format("time.end={}", tank.swing_end), "output.frame_rate=5"});
   const double period = natural_modes(bench.scene(tank.scene, settings).parameters, 1).at(0).period;
   const Recording run = bench.run(tank.scene, settings);
-  Series centre = run.sensors.at("x_mass").between(1, 11);
+  Series centre = run.sensors.at("x_mass").between(1, tank.swing_end);
   double mean = 0;
   for (const double x : centre.y) mean += x / static_cast<double>(centre.size());
   for (double& x : centre.y) x -= mean;

@@ -19,10 +19,11 @@ struct Asked {
   std::optional<double> period = {};     ///< within [%]; none: it isn't timed
   double scale = 1;                      ///< its length over that of the others, about 0.5 m
   bool in_quick = false;
+  double still_end = 5, swing_end = 11;  ///< of its runs [s]
 };
 
-/// Five seconds at rest, in the quick validation two: pressure, speeds, level, and what has leaked. By Froude's law
-/// times and speeds of a larger tank are divided by the square root of its scale.
+/// At rest to `still_end`, in the quick validation to 2 s: pressure, speeds, level, and what has leaked. By Froude's
+/// law times and speeds of a larger tank are divided by the square root of its scale.
 void rest(Bench& bench, const Asked& tank, std::vector<Figure>& figures);
 
 /// After a push of 4 mm within 0.4 s the tank stands, and the liquid's centre of mass swings with the first wave: its
