@@ -60,13 +60,13 @@ void check_baffles(const Shape<2>& tank, const std::vector<BaffleLine>& baffles,
     if (!inside) continue;  // it lies outside the tank, which is said elsewhere
     const auto ends = [&](const Vec<2>& r) { return r == points.front() || r == points.back(); };
     const auto to_wall = [&](const Vec<2>& r) { return -tank.nearest(r).distance - (ends(r) ? 0 : half); };
-    check_gap<2>(points, along(points, to_wall), l0, touching, "the baffle", "the tank's wall");
+    check_gap<2>(points, along(points, to_wall), l0, touching, false, "the baffle", "the tank's wall");
     for (std::size_t other = 0; other < baffles.size(); ++other) {
       if (other == k) continue;
       const auto to_other = [&](const Vec<2>& r) {
         return distance_to(baffles[other].points, r) - 0.5 * baffles[other].thickness - (ends(r) ? 0 : half);
       };
-      check_gap<2>(points, along(points, to_other), l0, touching, "the baffle", "another baffle");
+      check_gap<2>(points, along(points, to_other), l0, touching, false, "the baffle", "another baffle");
     }
   }
 }

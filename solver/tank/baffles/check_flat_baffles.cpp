@@ -51,7 +51,7 @@ void check_gaps(const Shape<3>& tank, const std::vector<FlatBaffle>& baffles, st
       const Nearest<3> wall = tank.nearest(r);
       return -wall.distance - half * std::abs(wall.normal.dot(baffle.normal()));
     };
-    check_gap<3>(rim.points, gaps(to_wall), l0, touching, "the " + baffle.name, "the tank's wall");
+    check_gap<3>(rim.points, gaps(to_wall), l0, touching, rim.closed, "the " + baffle.name, "the tank's wall");
     for (std::size_t other = 0; other < baffles.size(); ++other) {
       if (other == k) continue;
       // What lies beyond the tank's wall is no gap.
@@ -60,7 +60,8 @@ void check_gaps(const Shape<3>& tank, const std::vector<FlatBaffle>& baffles, st
         const bool in_tank = tank.nearest(r).distance < -touching && tank.nearest(there.foot).distance < -touching;
         return in_tank ? there.distance - half * std::abs(there.normal.dot(baffle.normal())) : 0;
       };
-      check_gap<3>(rim.points, gaps(to_other), l0, touching, "the " + baffle.name, "another " + baffles[other].name);
+      check_gap<3>(rim.points, gaps(to_other), l0, touching, rim.closed, "the " + baffle.name,
+                   "another " + baffles[other].name);
     }
   };
   for (const Rim& rim : rims.outer)

@@ -12,10 +12,13 @@ constexpr double narrowest = 2;  // [l0]
 }  // namespace
 
 template <int D>
-void check_gap(const Vecs<D>& points, const Scalars& gap, double l0, double touching, const std::string& what,
-               const std::string& to_what) {
-  for (std::size_t k = 0; k < gap.size(); ++k) {
-    const bool is_least = (k == 0 || gap[k] <= gap[k - 1]) && (k + 1 == gap.size() || gap[k] <= gap[k + 1]);
+void check_gap(const Vecs<D>& points, const Scalars& gap, double l0, double touching, bool closed,
+               const std::string& what, const std::string& to_what) {
+  const std::size_t count = gap.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool falls = (k == 0 && !closed) || gap[k] <= gap[(k + count - 1) % count];
+    const bool rises = (k + 1 == count && !closed) || gap[k] <= gap[(k + 1) % count];
+    const bool is_least = falls && rises;
     if (!is_least || gap[k] <= touching || gap[k] >= narrowest * l0 * (1 - 1e-6)) continue;
     std::string at;
     for (int a = 0; a < D; ++a) at += fmt::format("{}{:.6g}", a > 0 ? ", " : "", points[k][a]);
@@ -26,7 +29,9 @@ void check_gap(const Vecs<D>& points, const Scalars& gap, double l0, double touc
   }
 }
 
-template void check_gap<2>(const Vecs<2>&, const Scalars&, double, double, const std::string&, const std::string&);
-template void check_gap<3>(const Vecs<3>&, const Scalars&, double, double, const std::string&, const std::string&);
+template void check_gap<2>(const Vecs<2>&, const Scalars&, double, double, bool, const std::string&,
+                           const std::string&);
+template void check_gap<3>(const Vecs<3>&, const Scalars&, double, double, bool, const std::string&,
+                           const std::string&);
 
 }  // namespace seiche::solver

@@ -35,18 +35,18 @@ Vecs<3> on_side(const FlatBaffle& baffle, int side, double l0) {
 }  // namespace
 
 Rims rims_of(const FlatBaffle& baffle, const Shape<3>& tank, double l0, double touching) {
-  const auto rim = [&](Vecs<3> points) {
+  const auto rim = [&](Vecs<3> points, bool closed) {
     const bool on_wall = std::all_of(points.begin(), points.end(),
                                      [&](const Vec<3>& r) { return tank.nearest(r).distance > -touching; });
-    return Rim{std::move(points), on_wall};
+    return Rim{std::move(points), closed, on_wall};
   };
   Rims rims;
   if (baffle.region.is_disc())
-    rims.outer.push_back(rim(on_circle(baffle, Vec<2>::Zero(), baffle.region.round, l0)));
+    rims.outer.push_back(rim(on_circle(baffle, Vec<2>::Zero(), baffle.region.round, l0), true));
   else
-    for (int side = 0; side < 4; ++side) rims.outer.push_back(rim(on_side(baffle, side, l0)));
+    for (int side = 0; side < 4; ++side) rims.outer.push_back(rim(on_side(baffle, side, l0), false));
   for (const auto& hole : baffle.region.holes)
-    rims.holes.push_back(rim(on_circle(baffle, hole.centre, hole.radius, l0)));
+    rims.holes.push_back(rim(on_circle(baffle, hole.centre, hole.radius, l0), true));
   return rims;
 }
 

@@ -7,6 +7,7 @@ namespace seiche::solver {
 /// lie on the tank's wall or beyond it.
 struct Rim {
   Vecs<3> points;
+  bool closed;  ///< a circle
   bool on_wall;
 };
 

@@ -74,14 +74,14 @@ TEST(Lists, ATankHasBaffles) {
 
 TEST(Lists, ATankHasFlatBafflesAndRings) {
   const std::string text =
-      "[tank]\nwidth = 0.2\n[[tank.baffle]]\ncorners = [[0, 0, 0], [0, 0, 1], [0, 1, 1]]\nholes = [[0, 0.5, 0.5, "
-      "0.1]]\n[[tank.ring]]\ncentre = [0, 0.2, 0]\ninner = 0.1\n";
+      "[tank]\nwidth = 0.2\n[[tank.baffle]]\ncorners = [[0.3, 0, 0], [0.3, 0, 0.2], [0.3, 0.4, 0.2]]\n"
+      "holes = [[0.3, 0.2, 0.1, 0.05]]\n[[tank.ring]]\ncentre = [0.45, 0.2, 0.1]\ninner = 0.05\nouter = 0.08\n";
   const auto tank = parse_scene(text, "x.toml", {}).parameters.tank;
   ASSERT_EQ(tank.baffles.size(), 1u);
-  EXPECT_EQ(tank.baffles[0].corners, (Triples{{0, 0, 0}, {0, 0, 1}, {0, 1, 1}}));
-  EXPECT_EQ(tank.baffles[0].holes, (Quadruples{{0, 0.5, 0.5, 0.1}}));
+  EXPECT_EQ(tank.baffles[0].corners, (Triples{{0.3, 0, 0}, {0.3, 0, 0.2}, {0.3, 0.4, 0.2}}));
+  EXPECT_EQ(tank.baffles[0].holes, (Quadruples{{0.3, 0.2, 0.1, 0.05}}));
   ASSERT_EQ(tank.rings.size(), 1u);
-  EXPECT_EQ(tank.rings[0].centre, (Triple{0, 0.2, 0}));
+  EXPECT_EQ(tank.rings[0].centre, (Triple{0.45, 0.2, 0.1}));
   EXPECT_EQ(tank.rings[0].normal, (Triple{0, 1, 0}));
   const std::string wrong =
       errors_of("[[tank.ring]]\ncentre = [0, 1]\ninner = 0.1\n[[tank.baffle]]\nholes = [[0, 0, 0]]\n");
@@ -162,8 +162,9 @@ TEST(Lists, NameTheFlagAtFault) {
   EXPECT_TRUE(test::tells(errors_of("", {parse_set("sensors.gauge=[{x=0.1}]")}),
                           {"--set", "sensors.gauge=[{x=0.1}]", "[[sensors.gauge]]", "has", "0-9", "_"}));
   EXPECT_EQ(errors_of("", {parse_set("sensors.gauge=mid")}).substr(0, 25), "--set sensors.gauge=mid: ");
-  EXPECT_NE(errors_of("", {parse_set("sensors.gauge=mid")}).find("[{name = ..., x = ..., z = ...}]"),
-            std::string::npos);
+  EXPECT_NE(
+      errors_of("", {parse_set("sensors.gauge=mid")}).find("[{name = ..., x = ..., y = ..., z = ..., direction = ..."),
+      std::string::npos);
   EXPECT_TRUE(
       test::tells(errors_of("", {parse_set("gauge=[]")}), {"--set", "gauge=[]", "'gauge'", "'sensors.gauge'?"}));
 }

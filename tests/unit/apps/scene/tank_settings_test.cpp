@@ -61,8 +61,10 @@ TEST(TankSettings, PointsComeFromTheirFile) {
 }
 
 TEST(TankSettings, SeedsTakeTheLiquidsDepthOrTheirOwn) {
+  const std::string divider = "[[tank.baffle]]\nx = 0.3\nheight = 0.4\n";
   const std::string seeds = "[[fluid.seed]]\nx = 0.1\ny = 0.05\n[[fluid.seed]]\nx = 0.5\ny = 0.05\ndepth = 0.25\n";
-  const Parameters::Fluid fluid = parse_scene("[fluid]\ndepth = 0.1\n" + seeds, "x.toml", {}).parameters.fluid;
+  const Parameters::Fluid fluid =
+      parse_scene("[fluid]\ndepth = 0.1\n" + divider + seeds, "x.toml", {}).parameters.fluid;
   ASSERT_EQ(fluid.seeds.size(), 2U);
   EXPECT_EQ(fluid.seeds[0].depth, 0.1);
   EXPECT_EQ(fluid.seeds[1].depth, 0.25);

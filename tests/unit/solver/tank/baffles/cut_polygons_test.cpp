@@ -22,7 +22,7 @@ const Polygon3 square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
 TEST(CutPolygons, InsideADistance) {
   const auto wall = [](const Vec<3>& r) { return r[0] - 0.3; };
-  EXPECT_NEAR(area(inside(square, wall, 0, 0.05)), 0.3, 1e-12) << "a plane: exact";
+  EXPECT_NEAR(area(inside(square, wall, 0, 0.05)), 0.3, 1e-9 * 0.05) << "a plane: exact but for the slack";
   const auto ball = [](const Vec<3>& r) { return r.norm() - 0.8; };
   EXPECT_NEAR(area(inside(square, ball, 0, 0.01)), 0.16 * std::numbers::pi, 1e-4);
   EXPECT_EQ(inside(

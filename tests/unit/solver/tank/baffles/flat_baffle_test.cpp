@@ -97,5 +97,14 @@ TEST(FlatBaffle, WhatIsNoneIsRefused) {
   expect_wrong([] { disc({0, 1, 0}, {0, 0, 0}, 1, {}, 0); }, {"(0, 1, 0) m", "normal"});
 }
 
+// A hole's rim that crosses the tank's wall leaves no gap there, wherever its points begin.
+TEST(CheckFlatBaffles, ARimThatCrossesTheWallIsNoGap) {
+  Parameters p;
+  p.tank.width = 0.2;
+  p.particles.spacing = 0.005;
+  p.tank.rings = {{.centre = {0, 0.2, 0}, .inner = 0.1}};
+  EXPECT_NO_THROW(check_shape(p));
+}
+
 }  // namespace
 }  // namespace seiche::solver
