@@ -50,6 +50,7 @@ std::vector<Vecs<2>> flat_faces(const std::vector<Loop>& loops) {
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
     const double low = heights[k], high = heights[k + 1];
+    if (high - low <= 1e-12 * (heights.back() - heights.front())) continue;  // what rounding parts
     const std::vector<Side> sides = sides_of(loops, low, high);
     for (std::size_t m = 0; m + 1 < sides.size(); m += 2)
       faces.push_back({{sides[m].low, low}, {sides[m + 1].low, low}, {sides[m + 1].high, high}, {sides[m].high, high}});

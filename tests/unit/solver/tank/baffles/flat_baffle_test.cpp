@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "solver/errors.hpp"
+#include "solver/tank/level.hpp"
 
 namespace seiche::solver {
 namespace {
@@ -95,6 +98,18 @@ TEST(FlatBaffle, WhatIsNoneIsRefused) {
   expect_wrong([] { rectangle({{0, 1, 0}, {4, 1, 0}, {5, 1, 2}}, {}, 0); }, {"degrees"});
   expect_wrong([] { rectangle({{0, 1, 0}, {4, 1, 0}, {4, 1, 2}, {0, 1, 3}}, {}, 0); }, {"fourth", "(0, 1, 2) m"});
   expect_wrong([] { disc({0, 1, 0}, {0, 0, 0}, 1, {}, 0); }, {"(0, 1, 0) m", "normal"});
+}
+
+// Corners of the hole's rim at one height but for rounding left slivers whose neighbours then covered others.
+TEST(FlatBaffle, ABulkheadWithAHoleHasTwoSidesOfOneArea) {
+  Parameters p;
+  p.tank.width = 0.2;
+  p.particles.spacing = 0.01;
+  p.tank.baffles = {{.corners = {{0.3, 0, 0}, {0.3, 0, 0.2}, {0.3, 0.4, 0.2}}, .holes = {{0.3, 0.2, 0.1, 0.05}}}};
+  const SurfaceMesh wall = wall_surface(p);
+  EXPECT_NEAR(volume_of(wall), 0.6 * 0.4 * 0.2, 1e-12);
+  const double box = 2 * (0.6 * 0.4 + 0.6 * 0.2 + 0.4 * 0.2);
+  EXPECT_NEAR(area_of(wall), box + 2 * (0.4 * 0.2 - std::numbers::pi * 0.05 * 0.05), 1e-9);
 }
 
 // A hole's rim that crosses the tank's wall leaves no gap there, wherever its points begin.
