@@ -42,6 +42,7 @@ std::string station_name(std::size_t k) { return fmt::format("station_{}", k); }
 
 // Gauges that a scene names none of stand at the walls; those stay.
 void add_gauges(Parameters& p, const std::vector<double>& stations) {
+  if (stations.empty()) return;
   auto& gauges = p.sensors.gauge;
   if (gauges.empty()) gauges = {{"left", 0, 0}, {"right", tank_surface(p).high()[0], 0}};
   for (std::size_t k = 0; k < stations.size(); ++k) gauges.push_back({station_name(k), stations[k], 0});

@@ -1,9 +1,27 @@
+#include <utility>
+
 #include "apps/validate/cases/cases.hpp"
 #include "apps/validate/cases/resting_tank.hpp"
 
 // Tanks that aren't boxes, and boxes with baffles: at rest, and pushed once so that their liquid swings by itself.
 // References are finite elements of the program's own, tested against others (scenes/tanks), and closed forms.
 namespace seiche::apps::validate {
+namespace {
+
+/// One in 3-D: all are asked for the same, in shorter runs.
+Asked in_3d(std::string title, std::string scene, std::optional<double> period) {
+  return {.title = std::move(title),
+          .scene = std::move(scene),
+          .settings = {},
+          .error = 0.2,
+          .speed = 30,
+          .rms_speed = 3,
+          .period = period,
+          .still_end = 3,
+          .swing_end = 6};
+}
+
+}  // namespace
 
 Findings tanks(Bench& bench) {
   return rest_and_swing(
@@ -90,52 +108,13 @@ Findings tanks(Bench& bench) {
 }
 
 Findings tanks_3d(Bench& bench) {
-  return rest_and_swing(bench,
-                        {
-                            {.title = "sphere, half full",
-                             .scene = "tanks/sphere",
-                             .settings = {},
-                             .error = 0.2,
-                             .speed = 30,
-                             .rms_speed = 3,
-                             .period = 0.5},
-                            {.title = "upright cylinder",
-                             .scene = "tanks/upright",
-                             .settings = {},
-                             .error = 0.2,
-                             .speed = 30,
-                             .rms_speed = 3,
-                             .period = 0.5},
-                            {.title = "upright cylinder from STL",
-                             .scene = "tanks/upright-mesh",
-                             .settings = {},
-                             .error = 0.2,
-                             .speed = 30,
-                             .rms_speed = 3,
-                             .still_end = 3},
-                            {.title = "membrane with a length",
-                             .scene = "tanks/membrane-3d",
-                             .settings = {},
-                             .error = 0.2,
-                             .speed = 30,
-                             .rms_speed = 3,
-                             .still_end = 3},
-                            {.title = "lying cylinder, along it",
-                             .scene = "tanks/lying",
-                             .settings = {},
-                             .error = 0.2,
-                             .speed = 30,
-                             .rms_speed = 3,
-                             .period = 0.5},
-                            {.title = "square box",
-                             .scene = "tanks/square",
-                             .settings = {},
-                             .error = 0.2,
-                             .speed = 30,
-                             .rms_speed = 3,
-                             .period = 0.5},
-                        },
-                        "Free sloshing in 3-D, 12 particles deep");
+  return rest_and_swing(
+      bench,
+      {in_3d("sphere, half full", "tanks/sphere", 0.5), in_3d("upright cylinder", "tanks/upright", 0.5),
+       in_3d("upright cylinder from STL", "tanks/upright-mesh", {}),
+       in_3d("membrane with a length", "tanks/membrane-3d", {}), in_3d("lying cylinder, along it", "tanks/lying", 0.5),
+       in_3d("square box", "tanks/square", 0.5)},
+      "Free sloshing in 3-D, 12 particles deep");
 }
 
 }  // namespace seiche::apps::validate
