@@ -20,6 +20,16 @@ const std::vector<KnownMissOf>& known_misses() {
       {"dam-break",
        "front, RMS distance from the experiment",
        {"the run is early by 0.3 sqrt(a/2g): shifted by that its front is within 0.03 a", at_most(0.4)}},
+      {"tanks",
+       "hexagon: period less that of linear theory",
+       {"the level lies at the vertices, where the walls' slope jumps: the error falls with l0 alone", within(2)}},
+      {"tanks",
+       "box turned by 20 degrees: greatest speed, from 1 s",
+       {"at the contact line of an oblique wall, whose wall points meet the lattice anew at each height", at_most(23)}},
+      {"tanks", "baffle: greatest speed, from 1 s", {"a slow swirl at the baffle's upper corners", at_most(14)}},
+      {"tanks",
+       "baffle: period less that of linear theory",
+       {"the baffle acts some l0/2 too high: particles don't come nearer to its top than that", within(1.8)}},
   };
   return all;
 }
