@@ -91,7 +91,7 @@ gallery() {
   picture ringed ringed 2.5 --set look.curves=none
   picture rocket rocket 3 --set look.curves=none
   picture stl-tank stl-tank 1.5 --set look.curves=none
-  picture spheric10 spheric10 2.5 --set look.quantity=speed --set look.curves=p_left
+  picture spheric10 spheric10 2.5 --set look.quantity=speed --set look.range=0,1 --set look.curves=none
   build/seiche compare scenes/pan2008-paper.toml --vary method.kernel=KF1,KF2,KF3,KF4,KF5 --spacing 0.01 \
     --size 960x540 -o out/gallery/kernels --overwrite
   cp "out/gallery/kernels/frames/$(ls out/gallery/kernels/frames | tail -n 1)" scenes/gallery/kernels.png
