@@ -101,7 +101,6 @@ void compare_box(Bench& bench, std::vector<Figure>& figures) {
   const auto [box_level, box_pressure] = differences({});
   const auto [level, pressure] = differences({"tank.shape=prism", "tank.length=0", "tank.height=0",
                                               "tank.points=[[0, 0], [0.6, 0], [0.6, 0.4], [0, 0.4]]",
-                                              "sensors.gauge=[{name = \"left\", x = 0}, {name = \"right\", x = 0.6}]",
                                               "sensors.pressure=[{name = \"left_bottom\"}]"});
   figures.push_back({"pan2008 as a box, 10 mm: worse wall's elevation, relative L2, 0-3 s", box_level, "", {}});
   figures.push_back({"pan2008 as a polygon: the same", level, "", at_most(box_level + 0.026)});
