@@ -14,7 +14,7 @@ class Gravity {
   Gravity() = default;
 
   /// Along -y.
-  Gravity(double size) : parts_{0, -size, 0} {}  // NOLINT(google-explicit-constructor): a number is gravity, too
+  Gravity(double size) : parts_{0, -size, 0} {}
 
   explicit Gravity(const std::array<double, 3>& parts) : parts_(parts) {}
 

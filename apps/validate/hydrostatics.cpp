@@ -10,8 +10,6 @@
 namespace seiche::apps::validate {
 namespace {
 
-double dot(const Double3& a, const Double3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 template <class Of>
 std::vector<double> of_fluid(const Frame& frame, Of of) {
   std::vector<double> all;
@@ -27,19 +25,16 @@ double speed(const Frame& frame, std::size_t i) {
 
 }  // namespace
 
-StillPressure::StillPressure(const Parameters& p) : p_(p), bottom_(std::numeric_limits<double>::infinity()) {
-  const double g = p.gravity.size();
-  up_ = {-p.gravity[0] / g, -p.gravity[1] / g, -p.gravity[2] / g};
-  for (const Double3& corner : tank_surface(p).points) bottom_ = std::min(bottom_, dot(up_, corner));
-}
+StillPressure::StillPressure(const Parameters& p)
+    : p_(p), axes_(p.gravity), bottom_(solver::on_level_axes(tank_surface(p), p.gravity).low()[1]) {}
 
 double StillPressure::at(const Float3& place) const {
-  const Double3 r{place[0], place[1], place[2]};
+  const solver::Vec<3> r(place[0], place[1], place[2]);
   double depth = p_.fluid.depth, nearest = std::numeric_limits<double>::infinity();
   for (const auto& seed : p_.fluid.seeds)
-    if (const double distance = std::hypot(r[0] - seed.x, r[1] - seed.y, r[2] - seed.z); distance < nearest)
+    if (const double distance = (r - solver::Vec<3>(seed.x, seed.y, seed.z)).norm(); distance < nearest)
       nearest = distance, depth = seed.depth;
-  return p_.fluid.density * p_.gravity.size() * (bottom_ + depth - dot(up_, r));
+  return p_.fluid.density * p_.gravity.size() * (bottom_ + depth - axes_.height(r));
 }
 
 double StillPressure::error(const Frame& frame) const {

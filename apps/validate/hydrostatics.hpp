@@ -1,6 +1,7 @@
 #pragma once
 #include "solver/frame.hpp"
 #include "solver/parameters.hpp"
+#include "solver/tank/level_axes.hpp"
 
 // What a frame of liquid at rest ought to be: still, at the pressure p = rho g (level - height).
 namespace seiche::apps::validate {
@@ -18,8 +19,8 @@ class StillPressure {
   double at(const Float3& r) const;
 
   Parameters p_;
-  Double3 up_;     ///< against gravity
-  double bottom_;  ///< height of the tank's lowest point along it [m]
+  solver::LevelAxes<3> axes_;
+  double bottom_;  ///< height of the tank's lowest point along them [m]
 };
 
 /// Greatest speed [m/s].

@@ -1,9 +1,9 @@
 #pragma once
 #include <cmath>
 
-#include "solver/gravity.hpp"
 #include "solver/motion/motion.hpp"
 #include "solver/particles/vec.hpp"
+#include "solver/tank/level_axes.hpp"
 
 namespace seiche::solver {
 
@@ -79,8 +79,7 @@ BodyForce<D> body_force(const Motion& motion, const Gravity& gravity, double t, 
 template <int D>
 Vec<D> up_in_tank(const Motion& motion, const Gravity& gravity, double t) {
   if (gravity.size() == 0) return Vec<D>::Zero();
-  const Eigen::Vector3d up = -Eigen::Vector3d(gravity[0], gravity[1], gravity[2]) / gravity.size();
-  return (motion.state(t).orientation.conjugate() * up).template head<D>();
+  return (motion.state(t).orientation.conjugate() * LevelAxes<3>(gravity).up()).template head<D>();
 }
 
 /// Velocity relative to the tank of liquid at rest in the lab at t = 0, as the "force" that gives it within dt.

@@ -68,7 +68,7 @@ void check_gauges(const Parameters& p, const Shape<D>& tank) {
     };
     if (D == 2 && gauge.direction[2] != 0) refuse(": its direction leaves the plane of a 2-D run");
     const GaugeLine<D> line = line_of(gauge, tank, pools);
-    const auto columns = WaveGauges<D>::columns_about(gauge, tank, pools, lattice);
+    const auto columns = WaveGauges<D>::columns_about(gauge, line, tank, lattice);
     if (!is_in_plane<D>(gauge.z) || !is_inside<D>(line.point, tank.bounds()))
       refuse(fmt::format(" is outside the tank: {}", tank.description()));
     if (columns && !columns->reads())
@@ -81,9 +81,10 @@ void check_gauges(const Parameters& p, const Shape<D>& tank) {
 
 template <int D>
 void check_loads(const Parameters& p, const Shape<D>& tank) {
+  if (p.sensors.load.empty()) return;
+  const SurfaceMesh wall = tank.surface();
   for (const auto& load : p.sensors.load) {
     check_name("sensors.load", load.name);
-    const SurfaceMesh wall = tank.surface();
     if (LoadSensors<D>::patch_of(load, wall) != LoadSensors<D>::none) continue;
     std::vector<std::string> names{"tank"};
     for (const auto& patch : wall.patches) names.push_back(patch.name);

@@ -51,7 +51,9 @@ class LoadSensors : public Sensor<D> {
         all_(site.p.sensors.force),
         sensors_(site.p.sensors.load),
         walls_(site.tank.surface(), pivot_.head<2>(), site.p.particles.spacing) {
-    for (const auto& load : sensors_) patches_.push_back(patch_of(load, site.tank.surface()));
+    if (sensors_.empty()) return;
+    const SurfaceMesh wall = site.tank.surface();
+    for (const auto& load : sensors_) patches_.push_back(patch_of(load, wall));
   }
 
   /// The place of the sensor's patch in the wall; `whole` of all of it, `none` where there is no such patch.

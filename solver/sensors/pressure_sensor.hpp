@@ -97,11 +97,12 @@ class PressureSensors : public Sensor<D> {
  public:
   static std::vector<Column> columns(const Parameters& p) {
     std::vector<Column> all;
+    const double scale = Scales(p).pressure;
     for (const auto& sensor : sensors_of(p).pressure) {
       const bool mean = sensor.reading == PressureReading::mean;
       all.push_back({(mean ? "p_" : "p_max_") + sensor.name, "Pa",
                      (mean ? "pressure, " : "maximum pressure, ") + in_words(sensor.name), ColumnKind::pressure,
-                     Rest::first_value, Scales(p).pressure});
+                     Rest::first_value, scale});
     }
     return all;
   }

@@ -18,24 +18,28 @@ class WaveGauges : public Sensor<D> {
  public:
   static std::vector<Column> columns(const Parameters& p) {
     std::vector<Column> all;
+    const double scale = Scales(p).length;
     for (const auto& gauge : sensors_of(p).gauge)
-      all.push_back({"eta_" + gauge.name, "m", "elevation, " + in_words(gauge.name), ColumnKind::elevation, Rest::zero,
-                     Scales(p).length});
+      all.push_back(
+          {"eta_" + gauge.name, "m", "elevation, " + in_words(gauge.name), ColumnKind::elevation, Rest::zero, scale});
     return all;
   }
 
   explicit WaveGauges(const SensorSite<D>& site) : l0_(site.p.particles.spacing) {
     const auto pools = levels_of(site.p, site.tank);
     const auto lattice = lattice_of_columns(site.tank, site.p.gravity, l0_);
-    for (const auto& gauge : sensors_of(site.p).gauge)
-      gauges_.push_back({line_of(gauge, site.tank, pools), columns_about(gauge, site.tank, pools, lattice)});
+    for (const auto& gauge : sensors_of(site.p).gauge) {
+      const GaugeLine<D> line = line_of(gauge, site.tank, pools);
+      gauges_.push_back({line, columns_about(gauge, line, site.tank, lattice)});
+    }
   }
 
   /// Those whose surface an upright gauge reads; nothing for any other.
-  static std::optional<WaveGauge> columns_about(const Parameters::WaveGauge& gauge, const Shape<D>& tank,
-                                                const std::vector<Pool<D>>& pools, const LiquidLattice<D>& lattice) {
+  /// @param line the gauge's
+  static std::optional<WaveGauge> columns_about(const Parameters::WaveGauge& gauge, const GaugeLine<D>& line,
+                                                const Shape<D>& tank, const LiquidLattice<D>& lattice) {
     if (gauge.direction != std::array<double, 3>{} || gauge.crossing != Crossing::highest) return {};
-    const Vec<D> foot = lattice.axes(line_of(gauge, tank, pools).point);
+    const Vec<D> foot = lattice.axes(line.point);
     return WaveGauge(foot[0], D == 3 ? foot[D - 1] : 0, foot[1], tank, lattice);
   }
 

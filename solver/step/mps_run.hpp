@@ -85,9 +85,15 @@ bool Mps<D>::even_out() {
 }
 
 /// The paper's order doesn't shift particles: they begin where the stabilised preset's are when they have become even.
-/// Returns whether that is elsewhere.
+/// Returns whether that is elsewhere: not where no wall cuts a cell.
 template <int D>
 bool Mps<D>::take_even_places() {
+  const auto is_whole = [](const auto& part) { return part.inside.share == 1; };
+  const auto pools = pools_of(p_, *tank_);
+  if (!s_.baffles && std::all_of(pools.begin(), pools.end(), [&](const Pool<D>& pool) {
+        return std::all_of(pool.parts.begin(), pool.parts.end(), is_whole);
+      }))
+    return false;
   Parameters p = p_;
   apply_preset(p, Preset::stabilised);
   const Mps<D> even(p, 0);

@@ -18,9 +18,9 @@ namespace seiche::solver {
 /// On the lattice s is `level` beside the topmost layer of still liquid, where all the wall counts as it does far from
 /// the surface, and `above` one spacing higher, where none does; wetness goes from 0 to 1 between them. That is beside
 /// an upright wall, where liquid below the level fills a right angle. Under a wall that leans over it liquid fills a
-/// wider angle a, of whatever lies there a/(pi/2) times as much, and so both grow; towards a roof they go back to what
-/// they are beside an upright wall, for liquid that comes up to a roof from below has no level there. A dummy is as wet
-/// as the wall particle before it.
+/// wider angle a: up to a lean of 45 degrees both are a/(pi/2) times as great. From there on they go back linearly, to
+/// those of an upright wall at a roof, since liquid that comes up to a roof from below has no level there. A dummy is as
+/// wet as the wall particle before it.
 template <int D>
 class WallWetness {
  public:

@@ -37,18 +37,24 @@ inline void run(Simulation& simulation, double interval, double end, const std::
   }
 }
 
-/// Root mean square over the fluid of p - rho g (depth - y), over rho g depth [-].
-inline double hydrostatic_error(const Frame& frame, const Parameters& p) {
+/// Root mean square over the fluid of p - rho g d, over rho g depth [-], d the depth below the level at a place [m].
+inline double hydrostatic_error(const Frame& frame, const Parameters& p,
+                                const std::function<double(const Float3&)>& depth_at) {
   const double weight = p.fluid.density * p.gravity.size();
   double sum = 0;
   long n = 0;
   for (std::size_t i = 0; i < frame.size(); ++i) {
     if (frame.kind[i] != Kind::fluid) continue;
-    const double error = frame.pressure[i] - weight * (p.fluid.depth - frame.position[i][1]);
+    const double error = frame.pressure[i] - weight * depth_at(frame.position[i]);
     sum += error * error;
     ++n;
   }
   return std::sqrt(sum / static_cast<double>(n)) / (weight * p.fluid.depth);
+}
+
+/// The same in an upright tank.
+inline double hydrostatic_error(const Frame& frame, const Parameters& p) {
+  return hydrostatic_error(frame, p, [&](const Float3& r) { return p.fluid.depth - r[1]; });
 }
 
 /// Of the water's centre of mass: x [m].

@@ -58,19 +58,10 @@ TEST(StillTank, KeepsHydrostaticPressureBesideBaffles) {
 /// Of any tank at rest, speeds and pressures against its level along gravity [-, m/s].
 Worst watch_any(const Parameters& p, double settle, double end, const std::function<double(const Float3&)>& depth_at) {
   const auto simulation = make_simulation(p, 0);
-  const double weight = p.fluid.density * p.gravity.size();
   Worst worst;
   run(*simulation, end / 20, end, [&](const Frame& frame) {
     if (frame.time < settle) return;
-    double sum = 0;
-    long count = 0;
-    for (std::size_t i = 0; i < frame.size(); ++i) {
-      if (frame.kind[i] != Kind::fluid) continue;
-      sum += std::pow(frame.pressure[i] - weight * depth_at(frame.position[i]), 2);
-      ++count;
-    }
-    worst.pressure_error =
-        std::max(worst.pressure_error, std::sqrt(sum / static_cast<double>(count)) / (weight * p.fluid.depth));
+    worst.pressure_error = std::max(worst.pressure_error, hydrostatic_error(frame, p, depth_at));
     worst.speed = std::max(worst.speed, fastest(frame));
   });
   EXPECT_EQ(simulation->statistics().leaked, 0);

@@ -8,6 +8,18 @@
 namespace seiche::apps::validate {
 namespace {
 
+/// One in 2-D.
+Asked in_2d(std::string title, std::string scene, double error, double speed, std::optional<double> period,
+            std::vector<std::string> settings = {}) {
+  return {.title = std::move(title),
+          .scene = std::move(scene),
+          .settings = std::move(settings),
+          .error = error,
+          .speed = speed,
+          .level = 0.1,
+          .period = period};
+}
+
 /// One in 3-D: all are asked for the same, in shorter runs.
 Asked in_3d(std::string title, std::string scene, std::optional<double> period) {
   return {.title = std::move(title),
@@ -24,86 +36,25 @@ Asked in_3d(std::string title, std::string scene, std::optional<double> period) 
 }  // namespace
 
 Findings tanks(Bench& bench) {
+  Asked membrane = in_2d("membrane, 38 m, by Froude's law", "membrane", 0.15, 12, {},
+                         {"motion.type=none", "particles.spacing=0.945", "output.probe_rate=100"});
+  membrane.scale = 38 / 0.5;
+  Asked circle = in_2d("circle, half full", "tanks/circle", 0.15, 12, 0.3);
+  Asked plate = in_2d("plate", "tanks/plate", 0.1, 25, 2);
+  circle.in_quick = plate.in_quick = true;
   return rest_and_swing(
       bench,
-      {
-          {.title = "circle, quarter full",
-           .scene = "tanks/circle",
-           .settings = {"fluid.fill_height=0.25", "particles.spacing=0.00625"},
-           .error = 0.15,
-           .speed = 12,
-           .level = 0.1,
-           .period = 0.3},
-          {.title = "circle, half full",
-           .scene = "tanks/circle",
-           .settings = {},
-           .error = 0.15,
-           .speed = 12,
-           .level = 0.1,
-           .period = 0.3,
-           .in_quick = true},
-          {.title = "circle, three quarters full",
-           .scene = "tanks/circle",
-           .settings = {"fluid.fill_height=0.75", "particles.spacing=0.01875"},
-           .error = 0.15,
-           .speed = 18,
-           .level = 0.1,
-           .period = 0.8},
-          {.title = "chamfer",
-           .scene = "tanks/chamfer",
-           .settings = {},
-           .error = 0.15,
-           .speed = 12,
-           .level = 0.1,
-           .period = 0.3},
-          {.title = "hexagon",
-           .scene = "tanks/hexagon",
-           .settings = {},
-           .error = 0.15,
-           .speed = 12,
-           .level = 0.1,
-           .period = 0.3},
-          {.title = "box turned by 20 degrees",
-           .scene = "tanks/turned",
-           .settings = {},
-           .error = 0.15,
-           .speed = 18,
-           .level = 0.1},
-          {.title = "box turned by 45 degrees",
-           .scene = "tanks/turned",
-           .settings = {"tank.points=[[0, 0], [0.353553, 0.353553], [0.141421, 0.565685], [-0.212132, 0.212132]]"},
-           .error = 0.15,
-           .speed = 18,
-           .level = 0.1},
-          {.title = "membrane, 38 m, by Froude's law",
-           .scene = "membrane",
-           .settings = {"motion.type=none", "particles.spacing=0.945", "output.probe_rate=100"},
-           .error = 0.15,
-           .speed = 12,
-           .level = 0.1,
-           .scale = 38 / 0.5},
-          {.title = "baffle",
-           .scene = "tanks/baffle",
-           .settings = {},
-           .error = 0.1,
-           .speed = 12,
-           .level = 0.1,
-           .period = 1.5},
-          {.title = "plate",
-           .scene = "tanks/plate",
-           .settings = {},
-           .error = 0.1,
-           .speed = 25,
-           .level = 0.1,
-           .period = 2,
-           .in_quick = true},
-          {.title = "divider between two levels",
-           .scene = "tanks/divider",
-           .settings = {},
-           .error = 0.1,
-           .speed = 15,
-           .level = 0.1},
-      },
+      {in_2d("circle, quarter full", "tanks/circle", 0.15, 12, 0.3,
+             {"fluid.fill_height=0.25", "particles.spacing=0.00625"}),
+       circle,
+       in_2d("circle, three quarters full", "tanks/circle", 0.15, 18, 0.8,
+             {"fluid.fill_height=0.75", "particles.spacing=0.01875"}),
+       in_2d("chamfer", "tanks/chamfer", 0.15, 12, 0.3), in_2d("hexagon", "tanks/hexagon", 0.15, 12, 0.3),
+       in_2d("box turned by 20 degrees", "tanks/turned", 0.15, 18, {}),
+       in_2d("box turned by 45 degrees", "tanks/turned", 0.15, 18, {},
+             {"tank.points=[[0, 0], [0.353553, 0.353553], [0.141421, 0.565685], [-0.212132, 0.212132]]"}),
+       membrane, in_2d("baffle", "tanks/baffle", 0.1, 12, 1.5), plate,
+       in_2d("divider between two levels", "tanks/divider", 0.1, 15, {})},
       "Free sloshing, 20 particles deep");
 }
 
