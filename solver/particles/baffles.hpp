@@ -1,7 +1,4 @@
 #pragma once
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <vector>
 
 #include "solver/particles/baffle_face.hpp"
@@ -20,49 +17,26 @@ class Baffles {
   const std::vector<BaffleFace<D>>& faces() const { return faces_; }
 
   /// The first face that the way enters, of several in one place the one that comes first here; -1 if it enters none.
-  int entered(const Vec<D>& from, const Vec<D>& to) const {
-    double first = std::numeric_limits<double>::infinity();
-    int found = -1;
-    for (std::size_t k = 0; k < faces_.size(); ++k) {
-      const double share = faces_[k].entry(from, to, first - 1e-9);
-      if (!std::isfinite(share)) continue;
-      first = share;
-      found = static_cast<int>(k);
-    }
-    return found;
-  }
+  int entered(const Vec<D>& from, const Vec<D>& to) const;
 
   /// Whether two particles are neighbours.
   /// @param behind_a, behind_b the faces whose solid they stand for, -1 of liquid and of what lies behind the tank's
   ///        wall
-  bool sees(const Vec<D>& a, int behind_a, const Vec<D>& b, int behind_b) const {
-    if (behind_a < 0 && behind_b < 0) return entered(a, b) < 0 && entered(b, a) < 0;
-    if (behind_a >= 0 && behind_b >= 0 && behind_a != behind_b && !face_each_other(a, behind_a, b, behind_b))
-      return false;
-    return behind_a == behind_b || (behind_b >= 0 && entered(a, b) == behind_b) ||
-           (behind_a >= 0 && entered(b, a) == behind_a);
-  }
+  bool sees(const Vec<D>& a, int behind_a, const Vec<D>& b, int behind_b) const;
 
   /// Whether liquid at one point sees liquid at another.
   bool sees(const Vec<D>& a, const Vec<D>& b) const { return sees(a, -1, b, -1); }
 
   /// Whether the rim of a plate is nearer to r than that [m].
-  bool is_at_rim(const Vec<D>& r, double distance) const {
-    return std::any_of(faces_.begin(), faces_.end(), [&](const auto& face) { return face.is_at_rim(r, distance); });
-  }
+  bool is_at_rim(const Vec<D>& r, double distance) const;
 
   /// Whether any face is nearer to r than that [m].
-  bool is_near(const Vec<D>& r, double distance) const {
-    return std::any_of(faces_.begin(), faces_.end(), [&](const auto& face) { return face.is_near(r, distance); });
-  }
+  bool is_near(const Vec<D>& r, double distance) const;
 
  private:
   /// Whether liquid can stand before both sides, as in a corner between them: each particle's foot is before the
   /// other's side.
-  bool face_each_other(const Vec<D>& a, int behind_a, const Vec<D>& b, int behind_b) const {
-    const BaffleFace<D>&first = faces_[behind_a], &second = faces_[behind_b];
-    return second.behind(first.foot(a)) < 0 && first.behind(second.foot(b)) < 0;
-  }
+  bool face_each_other(const Vec<D>& a, int behind_a, const Vec<D>& b, int behind_b) const;
 
   std::vector<BaffleFace<D>> faces_;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/particles/kept.hpp"
 #include "solver/particles/neighbours.hpp"
 
 namespace seiche::solver {

@@ -6,7 +6,6 @@
 #include "solver/frame.hpp"
 #include "solver/particles/baffles.hpp"
 #include "solver/particles/face.hpp"
-#include "solver/particles/kept.hpp"
 #include "solver/particles/vec.hpp"
 
 namespace seiche::solver {
@@ -46,49 +45,12 @@ struct State {
     return behind[j] >= 0 && normal[j] == baffles->faces()[behind[j]].normal_at(position[j]);
   }
 
-  void add(const Vec<D>& r, Kind k, const Vec<D>& n, double v = 1) {
-    position.push_back(r);
-    velocity.push_back(Vec<D>::Zero());
-    normal.push_back(n);
-    edge.push_back(-1);
-    pressure.push_back(0);
-    kind.push_back(k);
-    density.push_back(0);
-    surface.push_back(0);
-    near_surface.push_back(0);
-    volume.push_back(v);
-    wet.push_back(v);
-    behind.push_back(-1);
-    id.push_back(static_cast<std::uint32_t>(id.size()));
-  }
+  void add(const Vec<D>& r, Kind k, const Vec<D>& n, double v = 1);
 
   /// Keeps particles order[0], order[1], ... in that order and drops the others.
-  void reorder(const std::vector<int>& order) {
-    pick(position, order, vectors_);
-    pick(velocity, order, vectors_);
-    pick(normal, order, vectors_);
-    pick(edge, order, edges_);
-    pick(pressure, order, scalars_);
-    pick(kind, order, kinds_);
-    pick(density, order, scalars_);
-    pick(surface, order, bytes_);
-    pick(near_surface, order, bytes_);
-    pick(id, order, ids_);
-    pick(volume, order, scalars_);
-    pick(wet, order, scalars_);
-    pick(behind, order, edges_);
-  }
+  void reorder(const std::vector<int>& order);
 
  private:
-  template <class T>
-  static void pick(std::vector<T>& values, const std::vector<int>& order, std::vector<T>& buffer) {
-    const int size = static_cast<int>(order.size());
-    resize_kept(buffer, size);
-#pragma omp parallel for schedule(static)
-    for (int k = 0; k < size; ++k) buffer[k] = values[order[k]];
-    values.swap(buffer);
-  }
-
   Vecs<D> vectors_;
   Scalars scalars_;
   std::vector<Kind> kinds_;

@@ -1,5 +1,6 @@
 #pragma once
 #include "solver/particles/each_fluid.hpp"
+#include "solver/particles/kept.hpp"
 
 namespace seiche::solver {
 

@@ -8,6 +8,7 @@
 #include "solver/step/snapshot.hpp"
 #include "solver/tank/filling.hpp"
 #include "solver/tank/lost_particles.hpp"
+#include "solver/tank/pools.hpp"
 
 // A run of Mps: how it starts, takes a step, hands out frames and goes on from a state.
 namespace seiche::solver {

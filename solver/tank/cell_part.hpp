@@ -1,6 +1,4 @@
 #pragma once
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "solver/tank/level_axes.hpp"
@@ -14,60 +12,16 @@ struct CellPart {
   Vec<D> centroid;  ///< [m]
 };
 
-/// Calls f(centre, share) for each of parts^D equal parts of a cell that lies inside the tank, by a share of the cell.
-/// @param axes along which the cell's sides lie
-template <int D, class F>
-void each_small_part(const Shape<D>& tank, const Vec<D>& centre, double side, const LevelAxes<D>& axes, int parts,
-                     F f) {
-  const int all = D == 2 ? parts * parts : parts * parts * parts;
-  const double part = side / parts;
-  for (int k = 0; k < all; ++k) {
-    Vec<D> offset;
-    for (int a = 0, rest = k; a < D; ++a, rest /= parts) offset[a] = (rest % parts + 0.5) * part - 0.5 * side;
-    const Vec<D> at = centre + axes.in_tank(offset);
-    const double share = std::clamp(0.5 - tank.nearest(at).distance / part, 0.0, 1.0);
-    if (share > 0) f(at, share / all);
-  }
-}
-
 /// By the tank's signed distance d at the centres of 8^2 or 6^3 parts, each taken to be cut square to its side: it has
 /// the share 1/2 - d/side. Exact where the cell is cut by one wall along an axis; within some 1e-3 else.
 template <int D>
 CellPart<D> part_inside(const Shape<D>& tank, const Vec<D>& centre, double side,
-                        const LevelAxes<D>& axes = LevelAxes<D>()) {
-  const double beyond = tank.nearest(centre).distance, half_diagonal = 0.5 * std::sqrt(D) * side;
-  if (beyond <= -half_diagonal) return {1, centre};
-  if (beyond >= half_diagonal) return {0, centre};
-  double sum = 0;
-  Vec<D> moment = Vec<D>::Zero();
-  each_small_part(tank, centre, side, axes, D == 2 ? 8 : 6, [&](const Vec<D>& r, double share) {
-    sum += share;
-    moment += share * (r - centre);
-  });
-  if (sum < 1e-6) return {0, centre};
-  if (sum > 1 - 1e-6) return {1, centre};
-  return {sum, centre + moment / sum};
-}
+                        const LevelAxes<D>& axes = LevelAxes<D>());
 
 /// The parts into which baffles cut what of a cell lies inside a tank: of its small parts, those that see the first one
 /// which is left, and so on. One where none is near.
 template <int D>
 std::vector<CellPart<D>> parts_inside(const Shape<D>& tank, const Baffles<D>* baffles, const Vec<D>& centre,
-                                      double side, const LevelAxes<D>& axes = LevelAxes<D>()) {
-  const CellPart<D> whole = part_inside(tank, centre, side, axes);
-  if (!baffles || whole.share == 0 || !baffles->is_near(centre, 0.5 * std::sqrt(D) * side)) return {whole};
-  std::vector<CellPart<D>> parts;
-  Vecs<D> seen_from;
-  each_small_part(tank, centre, side, axes, D == 2 ? 40 : 6, [&](const Vec<D>& r, double share) {
-    std::size_t k = 0;
-    while (k < parts.size() && !baffles->sees(seen_from[k], r)) ++k;
-    if (k == parts.size()) parts.push_back({0, Vec<D>::Zero()}), seen_from.push_back(r);
-    parts[k].share += share;
-    parts[k].centroid += share * r;
-  });
-  if (parts.size() == 1) return {whole};
-  for (CellPart<D>& part : parts) part.centroid /= part.share;
-  return parts;
-}
+                                      double side, const LevelAxes<D>& axes = LevelAxes<D>());
 
 }  // namespace seiche::solver

@@ -1,6 +1,7 @@
 #include "solver/tank/level_axes.hpp"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <limits>
 
 namespace seiche::solver {
@@ -8,8 +9,11 @@ namespace {
 
 Eigen::Matrix3d turn_to_level(const Gravity& gravity) {
   if (gravity.is_upright()) return Eigen::Matrix3d::Identity();
-  const Eigen::Vector3d up = -Eigen::Vector3d(gravity[0], gravity[1], gravity[2]);
-  return Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  const Eigen::Vector3d up = -Eigen::Vector3d(gravity[0], gravity[1], gravity[2]), y = Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d across = up.cross(y);
+  // A tank that stands on its head is turned about z, as in 2-D.
+  const Eigen::Vector3d axis = across.isZero(0) ? Eigen::Vector3d::UnitZ() : across.normalized();
+  return Eigen::AngleAxisd(std::atan2(across.norm(), up.dot(y)), axis).toRotationMatrix();
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ namespace seiche::solver {
 /// the surface, and `above` one spacing higher, where none does; wetness goes from 0 to 1 between them. That is beside
 /// an upright wall, where liquid below the level fills a right angle. Under a wall that leans over it liquid fills a
 /// wider angle a: up to a lean of 45 degrees both are a/(pi/2) times as great. From there on they go back linearly, to
-/// those of an upright wall at a roof, since liquid that comes up to a roof from below has no level there. A dummy is as
-/// wet as the wall particle before it.
+/// those of an upright wall at a roof, since liquid that comes up to a roof from below has no level there. A dummy is
+/// as wet as the wall particle before it.
 template <int D>
 class WallWetness {
  public:

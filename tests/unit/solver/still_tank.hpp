@@ -36,28 +36,16 @@ struct StillTank {
   Vec<D> slope = -p.fluid.density * p.gravity.size() * Vec<D>::Unit(1);
   mutable Vecs<D> slopes;
 
-  explicit StillTank(const Parameters& parameters = small_tank<D>()) : p(parameters) { find_surface(); }
+  explicit StillTank(const Parameters& parameters = small_tank<D>());
 
   Pairs<D> pairs() const { return measured(w, list, s); }
 
-  void find_surface() {
-    number_density(pairs(), s, n, count);
-    mark_free_surface(ref, 0.97, 0.85, n, count, s.kind, s.surface);
-    mark_near_surface(pairs(), s, near);
-  }
+  void find_surface();
 
   /// Walls are wet at first, dry ones too.
-  void wet_walls() {
-    WallWetness<D> wetness(w, l0);
-    wetness.relist(list, s);
-    wetness(pairs(), ref.n0, Vec<D>::Unit(1), s);
-    find_surface();
-  }
+  void wet_walls();
 
-  void set_surface_pressure() {
-    const Vecs<D> inviscid(s.size(), Vec<D>::Zero());
-    solver::set_surface_pressure(1, everywhere(), inviscid, surface_depth<D>(w, l0), n, s);
-  }
+  void set_surface_pressure();
 
   /// rho g (depth - y).
   double hydrostatic(const Vec<D>& r) const { return slope.norm() * (p.fluid.depth - r[1]); }

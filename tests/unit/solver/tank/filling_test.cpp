@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/tank/level.hpp"
 #include "tests/unit/solver/still_tank.hpp"
 
 namespace seiche::solver {
