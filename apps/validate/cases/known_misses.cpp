@@ -20,7 +20,11 @@ const std::vector<KnownMissOf>& known_misses() {
       {"dam-break",
        "front, RMS distance from the experiment",
        {"the run is early by 0.3 sqrt(a/2g): shifted by that its front is within 0.03 a", at_most(0.4)}},
-      {"tanks-moved", "circle rolling by 10 degrees: greatest speed in the lab", {"why isn't known", at_most(40)}},
+      {"tanks-moved",
+       "circle rolling by 10 degrees: greatest speed in the lab",
+       {"single particles at the contact line, as wall points pass the level and turn wet or dry; the RMS speed is 5 "
+        "mm/s",
+        at_most(40)}},
       {"tanks",
        "hexagon: period less that of linear theory",
        {"the level lies at the vertices, where the walls' slope jumps: the error falls with l0 alone", within(2)}},
