@@ -16,7 +16,7 @@ class StillPressure {
   double error(const Frame& frame) const;
 
  private:
-  double at(const Float3& r) const;
+  double at(const Float3& place) const;
 
   Parameters p_;
   solver::LevelAxes<3> axes_;

@@ -28,12 +28,17 @@ class LatticeColumns {
 
   /// Call after the last of them.
   void sort() {
-    std::sort(points_.begin(), points_.end(), [](const Point& a, const Point& b) {
-      return a.column != b.column ? a.column < b.column : a.r[1] > b.r[1];
-    });
     start_.assign(count_[0] * count_[1] + 1, 0);
     for (const Point& point : points_) ++start_[point.column + 1];
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+    next_.assign(start_.begin(), start_.end() - 1);
+    by_column_.resize(points_.size());
+    // From the last on: cells of the state go upwards, so each column is nearly sorted then.
+    for (std::size_t i = points_.size(); i-- > 0;) by_column_[next_[points_[i].column]++] = points_[i];
+    points_.swap(by_column_);
+    for (std::size_t c = 1; c < start_.size(); ++c)
+      std::sort(points_.begin() + start_[c - 1], points_.begin() + start_[c],
+                [](const Point& a, const Point& b) { return a.r[1] > b.r[1]; });
   }
 
   /// Height of the topmost point within two columns of column (i, k), `none` if there is none [m].
@@ -117,8 +122,8 @@ class LatticeColumns {
   Vec<D> corner_;
   double l0_;
   int count_[2] = {1, 1};
-  std::vector<Point> points_;
-  std::vector<int> start_;
+  std::vector<Point> points_, by_column_;  ///< the latter a buffer
+  std::vector<int> start_, next_;
 };
 
 }  // namespace seiche::solver

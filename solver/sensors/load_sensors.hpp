@@ -1,4 +1,6 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <string>
 #include <vector>
@@ -37,10 +39,10 @@ class LoadSensors : public Sensor<D> {
     for (const auto& load : p.sensors.load) {
       const std::string words = ", " + in_words(load.name);
       for (const std::string& axis : axes)
-        force("force_" + axis + "_" + load.name, "force " + axis + words, Rest::first_value);
+        force(fmt::format("force_{}_{}", axis, load.name), fmt::format("force {}{}", axis, words), Rest::first_value);
       if (D == 2) moment("moment_" + load.name, "moment" + words);
       for (const std::string& axis : axes)
-        if (D == 3) moment("moment_" + axis + "_" + load.name, "moment " + axis + words);
+        if (D == 3) moment(fmt::format("moment_{}_{}", axis, load.name), fmt::format("moment {}{}", axis, words));
     }
     return all;
   }

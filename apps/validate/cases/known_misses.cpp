@@ -35,6 +35,16 @@ const std::vector<KnownMissOf>& known_misses() {
       {"tanks",
        "baffle: period less that of linear theory",
        {"the baffle acts some l0/2 too high: particles don't come nearer to its top than that", within(1.8)}},
+      {"tanks-3d",
+       "upright cylinder: period less that of linear theory",
+       {"why isn't known; a sphere and a square box as coarse are within 0.4 %", within(0.8)}},
+      {"tanks-3d",
+       "membrane with a length: RMS speed, from 1 s",
+       {"the level lies 0.3 l0 above where the upper chamfers begin; why that matters isn't known", at_most(4)}},
+      {"tanks-3d",
+       "membrane with a length: greatest speed, from 1 s",
+       {"the level lies 0.3 l0 above where the upper chamfers begin; why that matters isn't known", at_most(45)}},
+      {"tanks-3d", "lying cylinder, along it: period less that of linear theory", {"why isn't known", within(1.7)}},
   };
   return all;
 }

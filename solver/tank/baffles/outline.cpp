@@ -56,7 +56,8 @@ std::vector<Vec<2>> outline_of(const BaffleLine& baffle) {
 std::vector<double> crossings_of(const Vec<2>& a, const Vec<2>& b, const std::vector<Vec<2>>& closed_walk) {
   std::vector<double> shares;
   for (std::size_t k = 0; k < closed_walk.size(); ++k) {
-    const Vec<2> from = closed_walk[k], way = closed_walk[(k + 1) % closed_walk.size()] - from;
+    const Vec<2>& from = closed_walk[k];
+    const Vec<2> way = closed_walk[(k + 1) % closed_walk.size()] - from;
     const double before = cross(way, a - from), after = cross(way, b - from);
     if ((before > 0) == (after > 0)) continue;
     const double share = before / (before - after), along = way.dot(a + share * (b - a) - from);
