@@ -41,10 +41,10 @@ void check_baffles_of(const Parameters& p) {
         name(p.method.wall_model)));
   const double l0 = p.particles.spacing;
   if (p.dimension() == 3) {
-    const auto tank = tank_alone<3>(p);
+    auto tank = tank_alone<3>(p);
     check_baffles(*tank, flat_baffles(p, tank->bounds()), l0);
   } else {
-    const auto tank = tank_alone<2>(p);
+    auto tank = tank_alone<2>(p);
     check_baffles(*tank, baffle_lines(p, tank->bounds()), l0);
   }
 }
@@ -53,7 +53,7 @@ void check_baffles_of(const Parameters& p) {
 
 template <>
 std::shared_ptr<const Shape<2>> make_shape(const Parameters& p) {
-  const auto tank = tank_alone<2>(p);
+  auto tank = tank_alone<2>(p);
   const auto baffles = baffle_lines(p, tank->bounds());
   if (baffles.empty()) return tank;
   return std::make_shared<Baffled>(tank, baffles, p.particles.spacing, reach_of(p));
@@ -61,7 +61,7 @@ std::shared_ptr<const Shape<2>> make_shape(const Parameters& p) {
 
 template <>
 std::shared_ptr<const Shape<3>> make_shape(const Parameters& p) {
-  const auto tank = tank_alone<3>(p);
+  auto tank = tank_alone<3>(p);
   if (!has_baffles(p.tank)) return tank;
   return std::make_shared<BaffledBody>(tank, flat_baffles(p, tank->bounds()), p.particles.spacing, reach_of(p));
 }
