@@ -88,7 +88,7 @@ void expect_wrong(const std::function<void()>& make, const std::vector<std::stri
 }
 
 TEST(FlatBaffle, WhatIsNoneIsRefused) {
-  const auto with = [](std::vector<std::array<double, 4>> holes) {
+  const auto with = [](const std::vector<std::array<double, 4>>& holes) {
     return [holes] { rectangle({{0, 1, 0}, {4, 1, 0}, {4, 1, 2}}, holes, 0); };
   };
   expect_wrong(with({{3.9, 1, 1, 0.2}}), {"hole at (3.9, 1, 1) m", "0.1 m beyond"});
