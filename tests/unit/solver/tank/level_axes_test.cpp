@@ -40,6 +40,12 @@ TEST(LevelAxes, HaveYAgainstGravity) {
   EXPECT_LT((plane.up() - Vec<2>(-0.6, 0.8)).norm(), 1e-15);
 }
 
+TEST(LevelAxes, AreTurnedHalfRoundAboutZInATankOnItsHead) {
+  const Gravity upwards({0, 9.81, 0});
+  EXPECT_LT((LevelAxes<2>(upwards)(Vec<2>(0.1, 0.2)) - Vec<2>(-0.1, -0.2)).norm(), 1e-15);
+  EXPECT_LT((LevelAxes<3>(upwards)(Vec<3>(0.1, 0.2, 0.3)) - Vec<3>(-0.1, -0.2, 0.3)).norm(), 1e-15);
+}
+
 TEST(LevelAxes, BoundATank) {
   const auto tank = make_shape<2>(test::small_tank<2>());  // 0.2 m x 0.15 m
   const double c = std::cos(std::numbers::pi / 6), s = 0.5;
