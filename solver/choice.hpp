@@ -39,6 +39,12 @@ enum class ViscousModel { strain_rate, laplacian };
 enum class SolverName { amg, iccg, sor, cholmod };
 /// How the tank's motion is given.
 enum class MotionType { none, harmonic, harmonics, file };
+/// Whose axes the names of the tank's six degrees of freedom belong to.
+enum class MotionAxes { tank, ship };
+/// Where the tank's x axis points in a ship.
+enum class TankX { none, forward, port };
+/// About which axes the tank is turned one after another, each turned with it by those before.
+enum class RotationOrder { zyx, xyz };
 /// What the liquid does at t = 0.
 enum class Start { impulsive, smooth };
 /// What a pressure sensor makes of the pressures on its area.
@@ -119,6 +125,24 @@ struct ChoiceTable<MotionType> {
                                    Choice{MotionType::harmonic, "harmonic", "one of one degree of freedom"},
                                    Choice{MotionType::harmonics, "harmonics", "their sum, of [[motion.harmonic]]"},
                                    Choice{MotionType::file, "file", "a CSV of samples"}};
+};
+template <>
+struct ChoiceTable<MotionAxes> {
+  static constexpr std::array rows{
+      Choice{MotionAxes::tank, "tank", "x, y upwards, z"},
+      Choice{MotionAxes::ship, "ship", "forward, to port, up, as tank_x puts them into the tank"}};
+};
+template <>
+struct ChoiceTable<TankX> {
+  static constexpr std::array rows{Choice{TankX::none, "none", "not told"},
+                                   Choice{TankX::forward, "forward", "z then points to starboard"},
+                                   Choice{TankX::port, "port", "z then points forward"}};
+};
+template <>
+struct ChoiceTable<RotationOrder> {
+  static constexpr std::array rows{
+      Choice{RotationOrder::zyx, "zyx", "z, then y, then x; of a ship yaw, then pitch, then roll"},
+      Choice{RotationOrder::xyz, "xyz", "x, then y, then z, as OpenFOAM's tables have it"}};
 };
 template <>
 struct ChoiceTable<Start> {

@@ -97,8 +97,14 @@ struct Parameters {
     double ramp = 0;     ///< the motion grows from nothing over this time [s]
     std::string file{};  ///< CSV of the series; the program reads it into `series`
     TimeSeries series{};
-    double pivot_x = 0, pivot_y = 0;  ///< point that the tank turns about, in the tank's frame [m]
+    double pivot_x = 0, pivot_y = 0, pivot_z = 0;  ///< point that the tank turns about, in the tank's frame [m]
     Start start = Start::impulsive;
+    MotionAxes axes = MotionAxes::tank;
+    TankX tank_x = TankX::none;  ///< of a ship's axes
+    RotationOrder rotation_order = RotationOrder::zyx;
+    double from = 0;    ///< time of the series at which the run begins [s]
+    bool hold = false;  ///< before the first sample of the series and after its last the tank stands still
+    double cutoff = 0;  ///< the series is smoothed above this frequency [Hz]; 0: it isn't
 
     /// What scenes call its type: that of one harmonic by what it moves.
     std::string_view type_name() const { return type == MotionType::harmonic ? name(harmonic.of) : name(type); }

@@ -7,19 +7,41 @@
 #include <vector>
 
 #include "solver/make_simulation.hpp"
+#include "solver/motion/motion_axes.hpp"
+#include "solver/motion/warnings.hpp"
 
 namespace seiche::apps {
 namespace {
 
-std::string motion_text(const Parameters::Motion& motion) {
+constexpr double standard_gravity = 9.80665;  // [m/s^2]
+
+std::string motion_text(const Parameters& p) {
+  const Parameters::Motion& motion = p.motion;
   if (motion.type == MotionType::none) return "tank at rest";
-  const std::string start = fmt::format("{} start", name(motion.start));
+  const double greatest = greatest_acceleration(p).value;
+  const std::string end = fmt::format("{} start, at most {:.3g} m/s^2 ({:.3g} g)", name(motion.start), greatest,
+                                      greatest / standard_gravity);
   if (motion.type == MotionType::harmonics)
-    return fmt::format("moved by {} harmonics, {}", motion.harmonics.size(), start);
+    return fmt::format("moved by {} harmonics, {}", motion.harmonics.size(), end);
   if (motion.type == MotionType::file)
-    return fmt::format("moved by {} samples of {}, {}", motion.series.time.size(), motion.file, start);
+    return fmt::format("moved by {} samples of {}, {}", motion.series.time.size(), motion.file, end);
   return fmt::format("{} of {:g} {} at {:g} Hz, {}", motion.type_name(), motion.harmonic.amplitude,
-                     row(motion.harmonic.of).rotation ? "degrees" : "m", motion.harmonic.frequency, start);
+                     row(motion.harmonic.of).rotation ? "degrees" : "m", motion.harmonic.frequency, end);
+}
+
+/// As in "surge +x, heave +y; roll about +z, by motion.axes = \"tank\"": of a 2-D run those that keep its plane.
+std::string axes_text(const Parameters& p) {
+  const Parameters::Motion& motion = p.motion;
+  if (motion.type == MotionType::none) return {};
+  std::string along, about;
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom) {
+    if (p.dimension() == 2 && !in_plane(row, motion)) continue;
+    const auto [axis, sign] = axis_of(row, motion);
+    std::string& text = row.rotation ? about : along;
+    text += fmt::format("{}{} {}{}{}", text.empty() ? "" : ", ", row.name, row.rotation ? "about " : "",
+                        sign > 0 ? '+' : '-', "xyz"[axis]);
+  }
+  return fmt::format("{}, {}, by motion.axes = \"{}\"", along, about, name(motion.axes));
 }
 
 const char* origin_of(const Parameters::Tank& tank) {
@@ -87,6 +109,12 @@ std::string line(const char* what, const std::string& told) {
   return told.empty() ? "" : fmt::format("  {:<8}{}\n", what, told);
 }
 
+std::string warnings_text(const Parameters& p) {
+  std::string text;
+  for (const std::string& warning : warnings(p)) text += line("warning", warning);
+  return text;
+}
+
 }  // namespace
 
 std::string check_text(const Scene& scene) {
@@ -110,13 +138,16 @@ std::string check_text(const Scene& scene) {
       "  liquid  {}: {:.5g} {}, {:.3g} % of the tank\n"
       "{}"
       "  motion  {}\n"
+      "{}"
       "  method  {} preset, kernel {}, spacing {:g} m: some {:.0f} fluid particles\n"
-      "  run     {:g} s{} at {:g} frames a second\n",
+      "  run     {:g} s{} at {:g} frames a second\n"
+      "{}",
       scene.file, name(p.tank.shape), section, p.tank.closed ? "closed" : "open", ends, measures.volume,
       body ? "m^3" : "m^2", measures.area, body ? "m^2" : "m", origin_of(p.tank), line("mended", mended_of(p)),
       line("baffles", baffles_text(p.tank)), levels_text(p, low[1]), liquid, body ? "m^3" : "m^2",
-      100 * liquid / measures.volume, line("waves", periods_text(p)), motion_text(p.motion), name(p.preset),
-      p.method.kernel, l0, liquid / std::pow(l0, p.dimension()), p.time.end, step, scene.output.frame_rate);
+      100 * liquid / measures.volume, line("waves", periods_text(p)), motion_text(p), line("axes", axes_text(p)),
+      name(p.preset), p.method.kernel, l0, liquid / std::pow(l0, p.dimension()), p.time.end, step,
+      scene.output.frame_rate, warnings_text(p));
 }
 
 }  // namespace seiche::apps

@@ -16,6 +16,7 @@
 #include "apps/scene/scene_file.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "solver/make_simulation.hpp"
+#include "solver/motion/warnings.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -30,6 +31,14 @@ int exit_code(Ending::Status status) {
       break;
   }
   return failed;
+}
+
+/// What a record asks of the liquid, and what can't be meant.
+void tell_motion(const Parameters& p, bool quiet) {
+  for (const std::string& warning : warnings(p)) fmt::print(stderr, "warning: {}\n", warning);
+  if (quiet || p.motion.type != MotionType::file) return;
+  const auto [acceleration, time] = greatest_acceleration(p);
+  fmt::print("{}: the tank's acceleration is {:.3g} m/s^2 at most, at {:.3g} s\n", p.motion.file, acceleration, time);
 }
 
 // The run proper: simulation and folder are ready.
@@ -68,6 +77,7 @@ int run(const RunRequest& request) {
   folder.check(request.overwrite);
   check_outputs(scene, folder);
   const auto simulation = make_simulation(scene.parameters, scene.samples() ? 1 / scene.output.probe_rate : 0);
+  tell_motion(scene.parameters, request.quiet);
   folder.prepare();
   return simulate(scene, folder, *simulation, request);
 }

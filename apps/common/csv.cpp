@@ -75,13 +75,15 @@ void Csv::refuse_end(const std::string& what) const {
   throw BadScene(fmt::format("{}:{}: {}", file_, rows_.size() + 1, what));
 }
 
-Csv read_csv(const std::string& file, const std::string& what) {
+std::string read_text_file(const std::string& file, const std::string& what) {
   // Opening a folder succeeds, reading it throws.
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file))
     throw BadScene(
         fmt::format("{}: this {} {}", file, what, std::filesystem::exists(file) ? "can't be read" : "isn't there"));
-  return Csv({std::istreambuf_iterator<char>(in), {}}, file);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
+
+Csv read_csv(const std::string& file, const std::string& what) { return Csv(read_text_file(file, what), file); }
 
 }  // namespace seiche::apps

@@ -37,6 +37,10 @@ struct CsvTitle {
 };
 CsvTitle parted(const std::string& title);
 
+/// The text of a file. Throws BadScene where it can't be read: `what` then says what was looked for, as in "motion
+/// file".
+std::string read_text_file(const std::string& file, const std::string& what);
+
 /// The file as a table. Throws BadScene, also where it can't be read: `what` then says what was looked for, as in
 /// "motion file".
 Csv read_csv(const std::string& file, const std::string& what);

@@ -55,7 +55,7 @@ Json samples(const Scene& scene) {
   const Parameters::TimeSeries& series = scene.parameters.motion.series;
   Json motion{{"time_s", series.time}};
   for (const DegreeOfFreedomRow& row : degrees_of_freedom)
-    if (row.in_scenes) motion[series_key(row)] = series[row.value];
+    if (!series[row.value].empty()) motion[series_key(row)] = series[row.value];
   Json result{{"motion", motion}, {"references", Json::array()}};
   for (const render::Reference& reference : scene.look.references)
     result["references"].push_back({{"time_s", reference.series.time}, {"value", reference.series.value}});

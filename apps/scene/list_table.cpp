@@ -14,8 +14,7 @@ void set_moved(Scene& s, std::size_t row, std::string_view text) {
 
 Choices movable() {
   Choices names;
-  for (const DegreeOfFreedomRow& known : degrees_of_freedom)
-    if (known.in_scenes) names.push_back(known.name);
+  for (const DegreeOfFreedomRow& known : degrees_of_freedom) names.push_back(known.name);
   return names;
 }
 
@@ -55,8 +54,8 @@ const std::vector<List>& lists() {
        ROWS(parameters.motion.harmonics),
        {
            {"of", "", ChosenInRow{get_moved, set_moved}, movable(),
-            "along x, along y, or about the pivot from x towards y"},
-           {"amplitude", "m; roll: degrees", AT(parameters.motion.harmonics, amplitude), amplitudes, ""},
+            "what it moves, along or about an axis of motion.axes"},
+           {"amplitude", "m; of a rotation: degrees", AT(parameters.motion.harmonics, amplitude), amplitudes, ""},
            {"frequency", "Hz", AT(parameters.motion.harmonics, frequency), Range{0, 100}, ""},
            {"phase", "degrees", AT(parameters.motion.harmonics, phase), Range{-360, 360}, "at t = 0"},
        }},

@@ -34,8 +34,7 @@ Chosen chosen() {
 // The type of a motion: one harmonic is known by the degree of freedom that it moves.
 Choices motion_types() {
   Choices all{name(MotionType::none)};
-  for (const DegreeOfFreedomRow& row : degrees_of_freedom)
-    if (row.in_scenes) all.push_back(row.name);
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom) all.push_back(row.name);
   all.insert(all.end(), {name(MotionType::harmonics), name(MotionType::file)});
   return all;
 }
@@ -200,7 +199,7 @@ std::vector<Option> make_options() {
 
       {"motion", "type", "", motion_type(), motion_types(),
        "one degree of freedom: amplitude sin(2 pi frequency t + phase)"},
-      {"motion", "amplitude", "m; roll: degrees", AT(parameters.motion.harmonic.amplitude), amplitudes,
+      {"motion", "amplitude", "m; of a rotation: degrees", AT(parameters.motion.harmonic.amplitude), amplitudes,
        "of the tank's displacement"},
       {"motion", "frequency", "Hz", AT(parameters.motion.harmonic.frequency), Range{0, 100},
        "of the tank's displacement"},
@@ -209,10 +208,24 @@ std::vector<Option> make_options() {
       {"motion", "ramp", "s", AT(parameters.motion.ramp), Range{0, 1e5},
        "the motion grows from nothing over this time"},
       {"motion", "file", "", AT(parameters.motion.file), Text{},
-       "CSV of t [s] and surge [m], heave [m] or roll [deg], its path from the scene's folder"},
+       "CSV of t [s] and surge [m], roll [deg], ... or their accelerations, an OpenFOAM table or a DualSPHysics path; its "
+       "path from the scene's folder"},
+      {"motion", "columns", "", AT(given.columns), Text{},
+       "of the file, those that are followed, as in \"sway, roll\"; empty: all. Of a file without titles the names of its "
+       "columns, as in \"t, roll\""},
+      {"motion", "from", "s", AT(parameters.motion.from), Range{-1e5, 1e5}, "the file's time at which the run begins"},
+      {"motion", "hold", "", AT(parameters.motion.hold), {},
+       "before the file's first sample and after its last the tank stands still there"},
+      {"motion", "cutoff", "Hz", AT(parameters.motion.cutoff), Range{0, 1e5},
+       "the file is smoothed: what is as fast as this keeps half its amplitude, what is half as fast 94 %; 0: it isn't"},
+      {"motion", "axes", "", CHOICE(parameters.motion.axes), "that the six degrees of freedom belong to"},
+      {"motion", "tank_x", "", CHOICE(parameters.motion.tank_x), "ship axes: where the tank's x points"},
+      {"motion", "rotation_order", "", CHOICE(parameters.motion.rotation_order),
+       "of several rotations, each about the axis as those before have turned it"},
       {"motion", "pivot_x", "m", AT(parameters.motion.pivot_x), Range{-huge, huge},
-       "of the point that roll turns about, from the left wall"},
-      {"motion", "pivot_y", "m", AT(parameters.motion.pivot_y), Range{-huge, huge}, "the same, from the floor"},
+       "of the point that the tank turns about, in its frame; it may lie outside"},
+      {"motion", "pivot_y", "m", AT(parameters.motion.pivot_y), Range{-huge, huge}, "the same"},
+      {"motion", "pivot_z", "m", AT(parameters.motion.pivot_z), Range{-huge, huge}, "the same, of a 3-D tank"},
       {"motion", "start", "", CHOICE(parameters.motion.start),
        "at t = 0 the liquid is at rest in the lab, or moves with the tank"},
 

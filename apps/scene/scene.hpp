@@ -31,6 +31,7 @@ struct Scene {
     double volume = 0;                 ///< of the liquid [m^2 in 2-D, m^3]
     std::string file{};                ///< of the tank's points, or of its mesh: that stays here, and `unit`
     std::optional<LengthUnit> unit{};  ///< of the mesh's file
+    std::string columns{};             ///< of the motion's file that are followed; that stays here, too
   } given{};
   Output output;
   render::Look look;

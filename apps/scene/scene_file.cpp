@@ -107,7 +107,8 @@ Scene parse_scene(const std::string& toml, const std::string& file, const std::v
   scene.name = fs::path(file).stem();
   Parameters::Motion& motion = scene.parameters.motion;
   if (motion.type == MotionType::file && !motion.file.empty())
-    motion.series = read_motion_file((fs::path(file).parent_path() / motion.file).string());
+    motion.series =
+        read_motion_file((fs::path(file).parent_path() / motion.file).string(), motion, scene.given.columns);
   try {
     settle_tank(scene, fs::path(file).parent_path());
     check_parameters(scene.parameters);

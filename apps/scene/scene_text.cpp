@@ -80,7 +80,7 @@ std::string scene_hash(const Scene& scene) {
   const Parameters::TimeSeries& s = scene.parameters.motion.series;
   all += fmt::format("\n{}", fmt::join(s.time, ","));
   for (const DegreeOfFreedomRow& row : degrees_of_freedom)
-    if (row.in_scenes) all += fmt::format("\n{}", fmt::join(s[row.value], ","));
+    if (!s[row.value].empty()) all += row.name, all += fmt::format("\n{}", fmt::join(s[row.value], ","));
   for (const render::Reference& reference : scene.look.references)
     for (const auto* values : {&reference.series.time, &reference.series.value})
       all += fmt::format("\n{}", fmt::join(*values, ","));

@@ -13,13 +13,20 @@ Jet smooth_step(double t, double time) {
   return {s * s * s * (10 - 15 * s + 6 * s * s), 30 * s * s * r * r / time, 60 * s * r * (1 - 2 * s) / (time * time)};
 }
 
+Jet Record::at(double t) const {
+  const double time = t + from;
+  if (held && time < spline.first()) return {spline.at(spline.first()).value, 0, 0};
+  if (held && time > spline.last()) return {spline.at(spline.last()).value, 0, 0};
+  return spline.at(time);
+}
+
 void Course::add(double amplitude, double frequency, double phase) {
   terms_.push_back({amplitude, 2 * std::numbers::pi * frequency, phase});
 }
 
 Jet Course::at(double t) const {
   Jet sum;
-  if (spline_) sum = spline_->at(t);
+  if (record_) sum = record_->at(t);
   for (const Term& term : terms_) {
     const double angle = term.omega * t + term.phase, value = term.amplitude * std::sin(angle);
     sum.value += value;
@@ -34,11 +41,12 @@ Jet Course::at(double t) const {
 
 double Course::greatest_of(double Jet::*of, int derivative) const {
   double sum = 0;
-  if (spline_) {
-    const int points = 10 * static_cast<int>(spline_->size() - 1);
+  if (record_) {
+    const Spline& spline = record_->spline;
+    const int points = 10 * static_cast<int>(spline.size() - 1);
     for (int k = 0; k <= points; ++k) {
-      const double t = spline_->first() + (spline_->last() - spline_->first()) * k / points;
-      sum = std::max(sum, std::abs(spline_->at(t).*of));
+      const double t = spline.first() + (spline.last() - spline.first()) * k / points;
+      sum = std::max(sum, std::abs(spline.at(t).*of));
     }
   }
   for (const Term& term : terms_) sum += std::abs(term.amplitude) * std::pow(term.omega, derivative);

@@ -6,7 +6,17 @@
 
 namespace seiche::solver {
 
-/// How one degree of freedom moves: ramp(t) (sum of A sin(2 pi f t + phase) + spline(t)).
+/// A measured motion: its spline, whose time `from` is the run's 0. Before its first sample and after its last it
+/// stands still there where it is held, else it goes on as the spline does.
+struct Record {
+  Spline spline;
+  double from = 0;  ///< [s]
+  bool held = false;
+
+  Jet at(double t) const;
+};
+
+/// How one degree of freedom moves: ramp(t) (sum of A sin(2 pi f t + phase) + record(t)).
 class Course {
  public:
   /// @param ramp time over which the motion grows from nothing [s]; 0: it is there from the start
@@ -15,12 +25,12 @@ class Course {
   /// @param frequency [Hz]
   /// @param phase [rad]
   void add(double amplitude, double frequency, double phase);
-  void follow(Spline spline) { spline_ = std::move(spline); }
+  void follow(Record record) { record_ = std::move(record); }
 
-  bool moves() const { return spline_ || !terms_.empty(); }
+  bool moves() const { return record_ || !terms_.empty(); }
   Jet at(double t) const;
 
-  /// No |value|, no |rate| and no |acceleration| is greater: of harmonics the sum of all amplitudes, of a spline the
+  /// No |value|, no |rate| and no |acceleration| is greater: of harmonics the sum of all amplitudes, of a record the
   /// greatest of ten points an interval.
   double greatest() const;
   double fastest() const;
@@ -30,12 +40,12 @@ class Course {
   struct Term {
     double amplitude, omega, phase;
   };
-  /// Without the ramp: of a derivative of the motion, `of` that of the spline.
+  /// Without the ramp: of a derivative of the motion, `of` that of the record.
   double greatest_of(double Jet::*of, int derivative) const;
 
   double ramp_;
   std::vector<Term> terms_;
-  std::optional<Spline> spline_;
+  std::optional<Record> record_;
 };
 
 /// 10 s^3 - 15 s^4 + 6 s^5 with s = t/time: from 0 to 1, twice continuously differentiable also at its ends.

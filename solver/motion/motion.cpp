@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/motion/record.hpp"
+
 namespace seiche::solver {
 namespace {
 
@@ -11,8 +13,7 @@ using Eigen::Vector3d;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// The rotations that an orientation is made of, from the first that turns the tank to the last.
-constexpr std::array rotations{DegreeOfFreedom::roll, DegreeOfFreedom::pitch, DegreeOfFreedom::yaw};
+Vector3d unit_vector(const TankAxis& axis) { return axis.sign * Vector3d::Unit(axis.axis); }
 
 double unit_of(const DegreeOfFreedomRow& row) { return row.rotation ? degree : 1; }
 
@@ -30,32 +31,45 @@ std::vector<Parameters::Harmonic> harmonics(const Parameters::Motion& m) {
   return {};
 }
 
+/// Whether a record of it is missing, or 0 throughout, as ships' records of all six may be.
+bool is_at_rest(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return value == 0; });
+}
+
 Course course_of(const Parameters::Motion& m, const DegreeOfFreedomRow& row) {
   Course result(m.ramp);
   for (const Parameters::Harmonic& h : harmonics(m))
     if (h.of == row.value) result.add(h.amplitude * unit_of(row), h.frequency, h.phase * degree);
-  if (m.type == MotionType::file && !m.series[row.value].empty()) {
-    std::vector<double> values = m.series[row.value];
+  if (m.type == MotionType::file && !is_at_rest(m.series[row.value])) {
+    const std::vector<double>& record = m.series[row.value];
+    std::vector<double> values = m.cutoff > 0 ? smoothed(m.series.time, record, m.cutoff) : record;
     for (double& value : values) value *= unit_of(row);
-    result.follow(Spline(m.series.time, std::move(values)));
+    result.follow({Spline(m.series.time, std::move(values)), m.from, m.hold});
   }
   return result;
 }
 
 }  // namespace
 
-Motion::Motion(const Parameters::Motion& m) : pivot_(m.pivot_x, m.pivot_y, 0), impulsive_(m.start == Start::impulsive) {
-  for (const DegreeOfFreedomRow& row : degrees_of_freedom) courses_.push_back(course_of(m, row));
+Motion::Motion(const Parameters::Motion& m)
+    : rotations_{rotation_about(2, m), rotation_about(1, m), rotation_about(0, m)},
+      pivot_(m.pivot_x, m.pivot_y, m.pivot_z),
+      impulsive_(m.start == Start::impulsive) {
+  if (m.rotation_order == RotationOrder::xyz) std::reverse(rotations_.begin(), rotations_.end());
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom) {
+    courses_.push_back(course_of(m, row));
+    axes_.push_back(axis_of(row, m));
+  }
   if (impulsive_) return;
   const RigidState start = state(0);
   spin_ = start.orientation * start.omega;
 }
 
 bool Motion::rotates() const {
-  return std::any_of(rotations.begin(), rotations.end(), [&](DegreeOfFreedom f) { return moves(f); });
+  return std::any_of(rotations_.begin(), rotations_.end(), [&](DegreeOfFreedom f) { return moves(f); });
 }
 
-/// With R = R_k ... R_1 the angular velocity in the tank's axes is, taken from the last rotation to the first,
+/// With R = R_1 R_2 R_3 the angular velocity in the tank's axes is, taken from the left,
 ///   w <- R_j^T w + q_j' e_j,   w' <- R_j^T w' + q_j'' e_j - q_j' e_j x (R_j^T w),
 /// q_j the angle about the axis e_j.
 RigidState Motion::state(double t) const {
@@ -64,15 +78,16 @@ RigidState Motion::state(double t) const {
   for (const DegreeOfFreedomRow& row : degrees_of_freedom) {
     if (row.rotation || !moves(row.value)) continue;
     const Jet jet = at(row.value, t);
-    result.displacement[row.axis] = jet.value;
-    result.velocity[row.axis] = jet.rate;
-    result.acceleration[row.axis] = jet.acceleration;
+    const auto [k, sign] = axis(row.value);
+    result.displacement[k] = sign * jet.value;
+    result.velocity[k] = sign * jet.rate;
+    result.acceleration[k] = sign * jet.acceleration;
   }
   if (!rotates()) return result;
-  for (auto f = rotations.rbegin(); f != rotations.rend(); ++f) {
-    if (!moves(*f)) continue;
-    const Jet angle = at(*f, t);
-    const Vector3d axis = Vector3d::Unit(row(*f).axis);
+  for (const DegreeOfFreedom f : rotations_) {
+    if (!moves(f)) continue;
+    const Jet angle = at(f, t);
+    const Vector3d axis = unit_vector(axes_[static_cast<std::size_t>(f)]);
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle.value, axis));
     result.orientation = result.orientation * turn;
     const Vector3d omega = turn.conjugate() * result.omega;
@@ -91,7 +106,7 @@ double Motion::fastest(double reach) const {
   Vector3d velocity = Vector3d::Zero();
   double rate = 0;
   for (const DegreeOfFreedomRow& row : degrees_of_freedom)
-    (row.rotation ? rate : velocity[row.axis]) += course(row.value).fastest();
+    (row.rotation ? rate : velocity[axis(row.value).axis]) += course(row.value).fastest();
   return velocity.norm() + reach * rate;
 }
 
@@ -102,7 +117,7 @@ double Motion::greatest_acceleration(double reach) const {
   for (const DegreeOfFreedomRow& row : degrees_of_freedom) {
     const Course& moved = course(row.value);
     if (!row.rotation) {
-      translation[row.axis] = moved.greatest_acceleration();
+      translation[axis(row.value).axis] = moved.greatest_acceleration();
       continue;
     }
     alpha += moved.greatest_acceleration() + rate * moved.fastest();
@@ -114,12 +129,14 @@ double Motion::greatest_acceleration(double reach) const {
 Double3 Motion::extent(const Double3& low, const Double3& high) const {
   Vector3d translation = Vector3d::Zero(), rotation = Vector3d::Zero(), farthest;
   for (const DegreeOfFreedomRow& row : degrees_of_freedom)
-    if (!row.rotation) translation[row.axis] = course(row.value).greatest();
+    if (!row.rotation) translation[axis(row.value).axis] = course(row.value).greatest();
   for (int a = 0; a < 3; ++a) farthest[a] = std::max(std::abs(low[a] - pivot_[a]), std::abs(high[a] - pivot_[a]));
-  for (const DegreeOfFreedom f : rotations) {
+  // R_3, the rightmost, acts first.
+  for (auto last = rotations_.rbegin(); last != rotations_.rend(); ++last) {
+    const DegreeOfFreedom f = *last;
     const double angle = std::min(course(f).greatest(), std::numbers::pi);
     const double across = std::sin(std::min(angle, std::numbers::pi / 2)), along = 1 - std::cos(angle);
-    const int a = (row(f).axis + 1) % 3, b = (row(f).axis + 2) % 3;
+    const int a = (axis(f).axis + 1) % 3, b = (axis(f).axis + 2) % 3;
     const Vector3d reach = farthest + rotation;
     rotation[a] += along * reach[a] + across * reach[b];
     rotation[b] += along * reach[b] + across * reach[a];
@@ -140,7 +157,7 @@ std::vector<Column> motion_columns(const Parameters::Motion& m, const Double3& e
     const std::string name(row.name);
     columns.push_back({name, std::string(row.unit()), name,
                        row.rotation ? ColumnKind::rotation : ColumnKind::translation, Rest::zero,
-                       row.rotation ? 1 : excursion[static_cast<std::size_t>(row.axis)]});
+                       row.rotation ? 1 : excursion[static_cast<std::size_t>(axis_of(row, m).axis)]});
   }
   return columns;
 }

@@ -1,15 +1,18 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "solver/column.hpp"
 #include "solver/frame.hpp"
 #include "solver/motion/course.hpp"
+#include "solver/motion/motion_axes.hpp"
 #include "solver/parameters.hpp"
 
 namespace seiche::solver {
 
-/// The tank's motion in the lab, in six degrees of freedom. It is turned by roll, then by pitch and yaw about the axes
-/// that stay in the lab: R = R_y(yaw) R_x(pitch) R_z(roll), and displaced by (surge, heave, sway).
+/// The tank's motion in the lab, in six degrees of freedom along and about the axes 1, 2, 3 of its frame, which are
+/// those of the tank or of a ship (axes_of). The order zyx turns it by R = R_3 R_2 R_1, of a ship that by yaw, then
+/// pitch, then roll, each about the axis as it stands by then; xyz by R = R_1 R_2 R_3.
 class Motion {
  public:
   explicit Motion(const Parameters::Motion& m);
@@ -41,8 +44,11 @@ class Motion {
 
  private:
   const Course& course(DegreeOfFreedom f) const { return courses_[static_cast<std::size_t>(f)]; }
+  TankAxis axis(DegreeOfFreedom f) const { return axes_[static_cast<std::size_t>(f)]; }
 
-  std::vector<Course> courses_;  ///< of each degree of freedom
+  std::vector<Course> courses_;                 ///< of each degree of freedom
+  std::vector<TankAxis> axes_;                  ///< of each
+  std::array<DegreeOfFreedom, 3> rotations_{};  ///< R is their product, the first one's rotation leftmost
   Eigen::Vector3d pivot_;
   bool impulsive_;
   Eigen::Vector3d spin_ = Eigen::Vector3d::Zero();

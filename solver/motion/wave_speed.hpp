@@ -10,8 +10,7 @@ namespace seiche::solver {
 /// From the pivot to the farthest corner of the bounds [m].
 template <int D>
 double reach_of(const Bounds<D>& bounds, const Parameters::Motion& motion) {
-  Vec<D> pivot = Vec<D>::Zero();
-  pivot.template head<2>() << motion.pivot_x, motion.pivot_y;
+  const Vec<D> pivot = Eigen::Vector3d(motion.pivot_x, motion.pivot_y, motion.pivot_z).template head<D>();
   return (pivot - bounds.low).cwiseAbs().cwiseMax((bounds.high - pivot).cwiseAbs()).norm();
 }
 

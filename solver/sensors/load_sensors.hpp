@@ -49,10 +49,10 @@ class LoadSensors : public Sensor<D> {
 
   explicit LoadSensors(const SensorSite<D>& site)
       : motion_(site.p.motion),
-        pivot_(site.p.motion.pivot_x, site.p.motion.pivot_y, 0),
+        pivot_(site.p.motion.pivot_x, site.p.motion.pivot_y, site.p.motion.pivot_z),
         all_(site.p.sensors.force),
         sensors_(site.p.sensors.load),
-        walls_(site.tank.surface(), pivot_.head<2>(), site.p.particles.spacing) {
+        walls_(site.tank.surface(), pivot_.head<D>(), site.p.particles.spacing) {
     if (sensors_.empty()) return;
     const SurfaceMesh wall = site.tank.surface();
     for (const auto& load : sensors_) patches_.push_back(patch_of(load, wall));

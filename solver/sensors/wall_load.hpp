@@ -25,8 +25,8 @@ struct Load {
 template <int D>
 class WallLoad {
  public:
-  /// @param pivot about which moments are, at z = 0 [m]
-  WallLoad(const SurfaceMesh& wall, const Eigen::Vector2d& pivot, double l0)
+  /// @param pivot about which moments are [m]
+  WallLoad(const SurfaceMesh& wall, const Vec<D>& pivot, double l0)
       : l0_(l0), pivot_(pivot), facets_(facets_of<D>(wall, l0)), loads_(facets_.size()) {}
 
   /// On all of it.
@@ -63,23 +63,22 @@ class WallLoad {
 
   Load<D> on(const Facet<D>& facet, const State<D>& s, const FluidCells<D>& cells) const {
     const LinearPressure<D> fit = fit_pressure(facet.centre, eye(facet), l0_, s, cells);
-    const Eigen::Vector2d arm = facet.centre.template head<2>() - pivot_;
     Load<D> sum;
     for (const auto& [offset, area] : facet.points) {
       const Vec<D> force = std::max(0.0, fit.value + fit.slope.dot(offset)) * area;
+      const Vec<D> arm = facet.centre - pivot_ + offset;
       sum.force += force;
-      sum.moment[2] += (arm[0] + offset[0]) * force[1] - (arm[1] + offset[1]) * force[0];
+      sum.moment[2] += arm[0] * force[1] - arm[1] * force[0];
       if constexpr (D == 3) {
-        const double z = facet.centre[2] + offset[2];
-        sum.moment[0] += (arm[1] + offset[1]) * force[2] - z * force[1];
-        sum.moment[1] += z * force[0] - (arm[0] + offset[0]) * force[2];
+        sum.moment[0] += arm[1] * force[2] - arm[2] * force[1];
+        sum.moment[1] += arm[2] * force[0] - arm[0] * force[2];
       }
     }
     return sum;
   }
 
   double l0_;
-  Eigen::Vector2d pivot_;
+  Vec<D> pivot_;
   std::vector<Facet<D>> facets_;
   std::vector<Load<D>> loads_;
 };

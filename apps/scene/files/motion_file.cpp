@@ -2,89 +2,51 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
+#include <algorithm>
 
 #include "apps/common/csv.hpp"
+#include "apps/common/errors.hpp"
+#include "apps/scene/files/motion_columns.hpp"
+#include "apps/scene/files/motion_tables.hpp"
+#include "solver/make_simulation.hpp"
 
 namespace seiche::apps {
 namespace {
 
-constexpr const char* known = "t [s] and surge [m], heave [m] or roll [deg] (also in ms, cm, mm, rad)";
-
-/// A unit that a column may be in, and what one of it is in the unit of the series.
-struct Unit {
-  std::string_view name;
-  double size;
-};
-
-constexpr Unit times[] = {{"s", 1}, {"ms", 1e-3}};
-constexpr Unit lengths[] = {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}};
-constexpr Unit angles[] = {{"deg", 1}, {"rad", 180 / std::numbers::pi}};
-
-/// What a column holds; without a degree of freedom the times.
-struct Column {
-  std::optional<DegreeOfFreedom> moved;
-  double unit;
-
-  std::vector<double>& in(Parameters::TimeSeries& series) const { return moved ? series[*moved] : series.time; }
-};
-
-std::optional<double> unit_in(std::span<const Unit> units, std::string_view name, const std::string& title) {
-  for (const Unit& unit : units)
-    if (title == fmt::format("{} [{}]", name, unit.name)) return unit.size;
-  return {};
+bool is_turned_about_several(const Parameters::TimeSeries& series) {
+  return 1 < std::ranges::count_if(degrees_of_freedom, [&](const DegreeOfFreedomRow& row) {
+           return row.rotation && std::ranges::any_of(series[row.value], [](double angle) { return angle != 0; });
+         });
 }
 
-Column column_of(const Csv& table, const std::string& title) {
-  if (const auto unit = unit_in(times, "t", title)) return {{}, *unit};
-  for (const DegreeOfFreedomRow& row : degrees_of_freedom) {
-    if (!row.in_scenes) continue;
-    if (const auto unit = unit_in(row.rotation ? std::span<const Unit>(angles) : lengths, row.name, title))
-      return {row.value, *unit};
+Parameters::TimeSeries any_form(const std::string& text, const std::string& file, const Parameters::Motion& motion,
+                                const std::vector<std::string>& columns) {
+  if (is_openfoam_table(text)) {
+    Parameters::TimeSeries series = openfoam_motion(text, file, motion);
+    for (const DegreeOfFreedomRow& row : degrees_of_freedom)
+      if (!columns.empty() && std::ranges::find(columns, row.name) == columns.end()) series[row.value].clear();
+    if (motion.rotation_order != RotationOrder::xyz && is_turned_about_several(series))
+      throw BadScene(fmt::format(
+          "{}: OpenFOAM turns by angles about x, then y, then z; set motion.rotation_order = \"xyz\"", file));
+    return series;
   }
-  table.refuse_header(fmt::format("'{}' is no column of a motion; expected {}", title, known));
-}
-
-std::vector<Column> read_header(const Csv& table) {
-  std::vector<Column> header;
-  bool time = false;
-  for (const std::string& title : table.titles()) {
-    const Column column = column_of(table, title);
-    for (const Column& other : header)
-      if (other.moved == column.moved) table.refuse_header(fmt::format("'{}' is there a second time", title));
-    time |= !column.moved;
-    header.push_back(column);
-  }
-  if (!time) table.refuse_header(fmt::format("there is no column of times; expected {}", known));
-  if (header.size() < 2) table.refuse_header(fmt::format("there is no column of a motion; expected {}", known));
-  return header;
-}
-
-Parameters::TimeSeries motion_of(const Csv& table) {
-  const auto header = read_header(table);
-  Parameters::TimeSeries series;
-  const auto& t = series.time;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (std::size_t k = 0; k < header.size(); ++k)
-      header[k].in(series).push_back(header[k].unit * table.number(row, k));
-    if (row > 0 && !(t[row] > t[row - 1]))
-      table.refuse(row,
-                   fmt::format("t = {:g} s; expected a time after the {:g} s of the line above", t[row], t[row - 1]));
-  }
-  if (t.size() < 4) table.refuse_end(fmt::format("the file ends after {} samples; expected 4 at least", t.size()));
-  return series;
+  if (has_no_titles(text)) return untitled_motion(text, file, motion, columns);
+  return titled_motion(Csv(text, file), columns);
 }
 
 }  // namespace
 
-Parameters::TimeSeries parse_motion(const std::string& text, const std::string& file) {
-  return motion_of(Csv(text, file));
+Parameters::TimeSeries parse_motion(const std::string& text, const std::string& file, const Parameters::Motion& motion,
+                                    const std::string& columns) {
+  Parameters::TimeSeries series = any_form(text, file, motion, listed(columns));
+  for (const DegreeOfFreedomRow& row : degrees_of_freedom)
+    if (row.rotation) series[row.value] = without_turns(series[row.value]);
+  return series;
 }
 
-Parameters::TimeSeries read_motion_file(const std::string& file) { return motion_of(read_csv(file, "motion file")); }
+Parameters::TimeSeries read_motion_file(const std::string& file, const Parameters::Motion& motion,
+                                        const std::string& columns) {
+  return parse_motion(read_text_file(file, "motion file"), file, motion, columns);
+}
 
 }  // namespace seiche::apps

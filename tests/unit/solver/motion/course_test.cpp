@@ -55,7 +55,7 @@ TEST(Course, IsNeverGreaterNorFasterNorHarderAcceleratedThanItSays) {
   course.add(-0.1, 2.3, 0);
   std::vector<double> t, y;
   for (int k = 0; k <= 40; ++k) t.push_back(0.1 * k), y.push_back(0.2 * std::sin(2 * t.back()));
-  course.follow(Spline(t, y));
+  course.follow({Spline(t, y)});
   double greatest = 0, fastest = 0, acceleration = 0;
   for (double at = 0; at < 4; at += 0.001) {
     greatest = std::max(greatest, std::abs(course.at(at).value));

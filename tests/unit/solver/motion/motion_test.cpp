@@ -122,19 +122,83 @@ TEST(State, HasTheRatesOfItsPositionAndOrientation) {
   EXPECT_EQ(now.pivot, Eigen::Vector3d(0.3, 0.1, 0));
 }
 
-TEST(State, IsTurnedByRollThenPitchThenYaw) {
-  const Motion m(tumbling());
+/// Expects the tank to be turned by that product of rotations about directions of the tank.
+void expect_turned(const Parameters::Motion& p,
+                   const std::vector<std::pair<DegreeOfFreedom, Eigen::Vector3d>>& factors) {
+  const Motion m(p);
   const double t = 0.7;
-  const auto turn = [&](DegreeOfFreedom f, int axis) {
-    return Eigen::AngleAxisd(m.at(f, t).value, Eigen::Vector3d::Unit(axis)).toRotationMatrix();
-  };
-  const Eigen::Matrix3d expected =
-      turn(DegreeOfFreedom::yaw, 1) * turn(DegreeOfFreedom::pitch, 0) * turn(DegreeOfFreedom::roll, 2);
+  Eigen::Matrix3d expected = Eigen::Matrix3d::Identity();
+  for (const auto& [f, axis] : factors) expected *= Eigen::AngleAxisd(m.at(f, t).value, axis).toRotationMatrix();
   EXPECT_LT((m.state(t).orientation.toRotationMatrix() - expected).norm(), 1e-14);
 }
 
-TEST(State, OfATumblingBoxIsWithinItsExtentAndFastest) {
-  const Motion m(tumbling());
+TEST(State, IsTurnedInTheOrderThatIsAskedFor) {
+  using enum DegreeOfFreedom;
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+  Parameters::Motion m = tumbling();
+  expect_turned(m, {{roll, z}, {yaw, y}, {pitch, x}});
+  m.rotation_order = RotationOrder::xyz;
+  expect_turned(m, {{pitch, x}, {yaw, y}, {roll, z}});
+  m.axes = MotionAxes::ship;
+  m.tank_x = TankX::forward;
+  expect_turned(m, {{roll, x}, {pitch, -z}, {yaw, y}});
+  m.rotation_order = RotationOrder::zyx;
+  expect_turned(m, {{yaw, y}, {pitch, -z}, {roll, x}});
+  m.tank_x = TankX::port;
+  expect_turned(m, {{yaw, y}, {pitch, x}, {roll, z}});
+}
+
+TEST(State, OfAShipIsDisplacedAlongItsAxes) {
+  Parameters::Motion m = tumbling();
+  m.axes = MotionAxes::ship;
+  m.tank_x = TankX::forward;
+  const Motion ship(m);
+  const RigidState state = ship.state(0.3);
+  EXPECT_EQ(state.displacement[0], ship.at(DegreeOfFreedom::surge, 0.3).value);
+  EXPECT_EQ(state.displacement[1], ship.at(DegreeOfFreedom::heave, 0.3).value);
+  EXPECT_EQ(state.displacement[2], -ship.at(DegreeOfFreedom::sway, 0.3).value);
+}
+
+TEST(State, OfARollIsTheSameThroughTheTanksAxesAndThroughAShips) {
+  Parameters::Motion tank{.type = MotionType::harmonics};
+  tank.harmonics = {{DegreeOfFreedom::roll, 12, 0.7, 30}, {DegreeOfFreedom::surge, 0.02, 0.9, 0}};
+  Parameters::Motion ship = tank;
+  ship.harmonics[1].of = DegreeOfFreedom::sway;
+  ship.axes = MotionAxes::ship;
+  ship.tank_x = TankX::port;
+  for (const double t : {0.0, 0.4, 1.3}) {
+    const RigidState a = Motion(tank).state(t), b = Motion(ship).state(t);
+    EXPECT_EQ(a.orientation.coeffs(), b.orientation.coeffs());
+    EXPECT_EQ(a.omega, b.omega);
+    EXPECT_EQ(a.alpha, b.alpha);
+    EXPECT_EQ(a.displacement, b.displacement);
+    EXPECT_EQ(a.acceleration, b.acceleration);
+  }
+}
+
+TEST(State, OfATumblingShipHasTheRatesOfItsOrientation) {
+  Parameters::Motion p = tumbling();
+  p.axes = MotionAxes::ship;
+  p.tank_x = TankX::forward;
+  p.rotation_order = RotationOrder::xyz;
+  p.pivot_z = -2;
+  const Motion m(p);
+  const double t = 0.7, h = 3e-6;
+  const RigidState before = m.state(t - h), after = m.state(t + h), now = m.state(t);
+  const Eigen::AngleAxisd turn(before.orientation.conjugate() * after.orientation);
+  EXPECT_LT((turn.angle() / (2 * h) * turn.axis() - now.omega).norm(), 1e-8);
+  EXPECT_LT(((after.omega - before.omega) / (2 * h) - now.alpha).norm(), 1e-8);
+  EXPECT_EQ(now.pivot, Eigen::Vector3d(0.3, 0.1, -2));
+  EXPECT_LT((now.in_lab(now.pivot) - now.pivot - now.displacement).norm(), 1e-15);
+}
+
+struct Tumbling : ::testing::TestWithParam<RotationOrder> {};
+INSTANTIATE_TEST_SUITE_P(Orders, Tumbling, ::testing::Values(RotationOrder::zyx, RotationOrder::xyz));
+
+TEST_P(Tumbling, BoxIsWithinItsExtentAndFastest) {
+  Parameters::Motion p = tumbling();
+  p.rotation_order = GetParam();
+  const Motion m(p);
   const Double3 extent = m.extent({0, 0, 0}, {0.6, 0.4, 0.2});
   const double reach = Eigen::Vector3d(0.3, 0.3, 0.2).norm();
   for (double t = 0; t < 20; t += 0.013) {
@@ -178,6 +242,54 @@ TEST(MotionFile, IsFollowedAndMovesOnlyItsColumns) {
   EXPECT_EQ(motion.at(DegreeOfFreedom::surge, 0.55).value, 0);
   EXPECT_EQ(headers_of(m), (std::vector<std::string>{"heave [m]", "roll [deg]"}));
   EXPECT_NEAR(motion.extent({}, {1, 0, 0})[1], 1 + std::sin(30 * degree), 1e-12) << "heave, and the far end's rise";
+}
+
+/// A record of surge from 0.1 to 0.6 s.
+Parameters::Motion late() {
+  Parameters::Motion m{.type = MotionType::file};
+  for (int k = 1; k <= 6; ++k) {
+    m.series.time.push_back(0.1 * k);
+    m.series[DegreeOfFreedom::surge].push_back(0.01 * k * k);
+    m.series[DegreeOfFreedom::yaw].push_back(0);
+  }
+  return m;
+}
+
+TEST(MotionFile, MovesNothingByAColumnThatIsZeroThroughout) {
+  EXPECT_FALSE(Motion(late()).moves(DegreeOfFreedom::yaw));
+  EXPECT_FALSE(Motion(late()).rotates());
+}
+
+TEST(MotionFile, BeginsWhereTheSceneSays) {
+  Parameters::Motion m = late();
+  m.from = 0.1;
+  EXPECT_NEAR(Motion(m).at(DegreeOfFreedom::surge, 0).value, 0.01, 1e-15);
+  EXPECT_NEAR(Motion(m).at(DegreeOfFreedom::surge, 0.25).value, 0.01 * 3.5 * 3.5, 1e-14);
+}
+
+TEST(MotionFile, StandsStillBeforeItsFirstSampleAndAfterItsLastWhereItIsHeld) {
+  Parameters::Motion m = late();
+  m.hold = true;
+  const Motion held(m);
+  const auto expect_still = [&](double t, double value) {
+    const Jet jet = held.at(DegreeOfFreedom::surge, t);
+    EXPECT_NEAR(jet.value, value, 1e-15);
+    EXPECT_EQ(jet.rate, 0);
+    EXPECT_EQ(jet.acceleration, 0);
+  };
+  expect_still(0.05, 0.01);
+  expect_still(0.7, 0.36);
+  EXPECT_NEAR(held.at(DegreeOfFreedom::surge, 0.2).rate, 0.4, 1e-12);
+}
+
+TEST(MotionFile, IsSmoothedAboveItsCutoff) {
+  Parameters::Motion m{.type = MotionType::file};
+  for (int k = 0; k <= 400; ++k) {
+    m.series.time.push_back(0.01 * k);
+    m.series[DegreeOfFreedom::heave].push_back(std::sin(2 * std::numbers::pi * 0.01 * k));
+  }
+  m.cutoff = 2;
+  EXPECT_NEAR(Motion(m).at(DegreeOfFreedom::heave, 2.25).value, 1 / (1 + std::pow(0.5, 4)), 2e-3);
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ struct WallLoadOf : ::testing::Test {
 
   Load<D> load_on(const SurfaceMesh& wall) const {
     const auto& motion = tank.p.motion;
-    return WallLoad<D>(wall, {motion.pivot_x, motion.pivot_y}, l0).read(tank.s, tank.cells());
+    return WallLoad<D>(wall, Eigen::Vector3d(motion.pivot_x, motion.pivot_y, 0).template head<D>(), l0)
+        .read(tank.s, tank.cells());
   }
   Load<D> load() const { return load_on(tank.shape->surface()); }
 
