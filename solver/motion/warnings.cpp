@@ -46,7 +46,8 @@ Warning of_rounding(const Parameters::Motion& m, const DegreeOfFreedomRow& row) 
   if (m.type != MotionType::file || m.series[row.value].empty()) return {};
   const double rms = rms_acceleration(m, m.series[row.value]);
   const double rounding = solver::rounding_acceleration(m.series.time, m.series[row.value], m.cutoff);
-  if (rms == 0 || rounding <= 0.5 * rms) return {};
+  // Far more than there is in all: its steps aren't those of rounding, as in a record that was thinned.
+  if (rms == 0 || rounding <= 0.5 * rms || rounding > 2 * rms) return {};
   return fmt::format(
       "{}: the accelerations of {} are mostly rounding: {:.3g} of {:.3g} {}/s^2 RMS come from the steps of its values "
       "and "
