@@ -7,7 +7,6 @@
 #include "solver/check_parameters.hpp"
 #include "solver/modes/tank_modes.hpp"
 #include "solver/motion/excursion.hpp"
-#include "solver/motion/record.hpp"
 #include "solver/motion/wave_speed.hpp"
 #include "solver/sensors/sensor_kinds.hpp"
 #include "solver/step/mps.hpp"
@@ -57,12 +56,6 @@ double greatest_pull(const Parameters& p) {
   return p.dimension() == 3 ? solver::greatest_pull(p, solver::make_shape<3>(p)->bounds(), motion)
                             : solver::greatest_pull(p, solver::make_shape<2>(p)->bounds(), motion);
 }
-
-std::vector<double> displacement_of(const std::vector<double>& time, const std::vector<double>& acceleration) {
-  return solver::integrated_twice(time, acceleration);
-}
-
-std::vector<double> without_turns(const std::vector<double>& angles) { return solver::unwrapped(angles); }
 
 std::unique_ptr<Simulation> make_simulation(const Parameters& p, double sample_interval) {
   check_parameters(p);

@@ -56,14 +56,6 @@ std::vector<NaturalMode> natural_modes(const Parameters& parameters, int count);
 /// What pulls the liquid: gravity, or the tank's greatest acceleration where that is more [m/s^2].
 double greatest_pull(const Parameters& parameters);
 
-/// The displacement of a record of accelerations, in their unit times s^2: the integral of the integral of the spline
-/// through them, less the parabola in t that comes nearest to it over the record (least squares over time), which a
-/// wrong velocity at the start and a constant error of the gauge would leave. Four samples at least, times ascend.
-std::vector<double> displacement_of(const std::vector<double>& time, const std::vector<double>& acceleration);
-
-/// Angles [degrees] without the jumps of whole turns between neighbours.
-std::vector<double> without_turns(const std::vector<double>& angles);
-
 /// No point of the tank, wall particles included, is ever displaced by more on each axis [m].
 Double3 motion_extent(const Parameters& parameters);
 

@@ -8,19 +8,18 @@
 
 #include "solver/make_simulation.hpp"
 #include "solver/motion/motion_axes.hpp"
+#include "solver/motion/record.hpp"
 #include "solver/motion/warnings.hpp"
 
 namespace seiche::apps {
 namespace {
-
-constexpr double standard_gravity = 9.80665;  // [m/s^2]
 
 std::string motion_text(const Parameters& p) {
   const Parameters::Motion& motion = p.motion;
   if (motion.type == MotionType::none) return "tank at rest";
   const double greatest = greatest_acceleration(p).value;
   const std::string end = fmt::format("{} start, at most {:.3g} m/s^2 ({:.3g} g)", name(motion.start), greatest,
-                                      greatest / standard_gravity);
+                                      greatest / solver::standard_gravity);
   if (motion.type == MotionType::harmonics)
     return fmt::format("moved by {} harmonics, {}", motion.harmonics.size(), end);
   if (motion.type == MotionType::file)
@@ -29,7 +28,7 @@ std::string motion_text(const Parameters& p) {
                      row(motion.harmonic.of).rotation ? "degrees" : "m", motion.harmonic.frequency, end);
 }
 
-/// As in "surge +x, heave +y; roll about +z, by motion.axes = \"tank\"": of a 2-D run those that keep its plane.
+/// As in "surge +x, heave +y, roll about +z, by motion.axes = \"tank\"": of a 2-D run those that keep its plane.
 std::string axes_text(const Parameters& p) {
   const Parameters::Motion& motion = p.motion;
   if (motion.type == MotionType::none) return {};

@@ -22,9 +22,14 @@ constexpr std::array<TankAxis, 3> axes_of(const Parameters::Motion& m) {
   return {{{0, 1}, {2, -1}, {1, 1}}};
 }
 
+/// The axis of that frame that a degree of freedom is along, or about: 0, 1, 2.
+constexpr int frame_axis(const DegreeOfFreedomRow& row, const Parameters::Motion& m) {
+  return m.axes == MotionAxes::tank ? row.tank_axis : row.ship_axis;
+}
+
 /// The axis of the tank that a degree of freedom is along, or about.
 constexpr TankAxis axis_of(const DegreeOfFreedomRow& row, const Parameters::Motion& m) {
-  return axes_of(m)[static_cast<std::size_t>(m.axes == MotionAxes::tank ? row.tank_axis : row.ship_axis)];
+  return axes_of(m)[static_cast<std::size_t>(frame_axis(row, m))];
 }
 
 /// Whether it keeps the plane of x and y: those three that a 2-D run has.
@@ -35,7 +40,7 @@ constexpr bool in_plane(const DegreeOfFreedomRow& row, const Parameters::Motion&
 /// The rotation about an axis of the motion's own frame: 0, 1, 2.
 constexpr DegreeOfFreedom rotation_about(int axis, const Parameters::Motion& m) {
   for (const DegreeOfFreedomRow& row : degrees_of_freedom)
-    if (row.rotation && (m.axes == MotionAxes::tank ? row.tank_axis : row.ship_axis) == axis) return row.value;
+    if (row.rotation && frame_axis(row, m) == axis) return row.value;
   return DegreeOfFreedom::roll;
 }
 

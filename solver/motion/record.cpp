@@ -19,14 +19,6 @@ std::vector<double> weights(const std::vector<double>& time) {
   return all;
 }
 
-double median_interval(const std::vector<double>& time) {
-  std::vector<double> intervals;
-  for (std::size_t k = 1; k < time.size(); ++k) intervals.push_back(time[k] - time[k - 1]);
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return *middle;
-}
-
 double rms_rate(const std::vector<double>& time, const std::vector<double>& values) {
   double sum = 0;
   for (std::size_t k = 1; k < time.size(); ++k)
@@ -128,7 +120,7 @@ double resolution(const std::vector<double>& values) {
 }
 
 double rounding_acceleration(const std::vector<double>& time, const std::vector<double>& values, double cutoff) {
-  const double h = median_interval(time);
+  const double h = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   std::vector<double> intervals;
   for (std::size_t k = 1; k < time.size(); ++k) intervals.push_back(time[k] - time[k - 1]);
   const auto [least, most] = std::minmax_element(intervals.begin(), intervals.end());

@@ -5,6 +5,9 @@
 // least.
 namespace seiche::solver {
 
+/// The unit g of accelerations (CGPM 1901) [m/s^2].
+constexpr double standard_gravity = 9.80665;
+
 /// Angles [degrees] without jumps of whole turns: those between neighbours that pass 180 degrees.
 std::vector<double> unwrapped(std::vector<double> angles);
 
@@ -24,7 +27,7 @@ std::vector<double> smoothed(const std::vector<double>& time, const std::vector<
 double resolution(const std::vector<double>& values);
 
 /// The RMS acceleration that a record has by the rounding of its values and times alone, both evenly spread over their
-/// resolution q: sqrt(3) q/h^2 of the spline through samples h apart, and no more than
+/// resolution q: sqrt(3) q/h^2 of the spline through samples h apart in the mean, and no more than
 /// (2 pi cutoff)^2 q sqrt(h cutoff pi sqrt(2)/96) once it is smoothed; of times q is that in them times the RMS rate,
 /// where the intervals differ.
 /// @param cutoff of `smoothed` [Hz]; 0: it wasn't

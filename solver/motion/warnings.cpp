@@ -16,7 +16,7 @@ namespace {
 
 using Warning = std::optional<std::string>;
 
-constexpr double standard_gravity = 9.80665;
+using solver::standard_gravity;
 
 /// The largest tanks that carry liquid at sea are 60 m long, storage tanks on land 100 m wide.
 Warning of_size(const Parameters& p) {

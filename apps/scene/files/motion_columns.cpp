@@ -4,13 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <span>
 #include <string_view>
 
-#include "solver/make_simulation.hpp"
+#include "solver/motion/record.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -28,8 +27,9 @@ struct Unit {
 
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr Unit times[] = {{"s", 1}, {"ms", 1e-3}, {"", 1}};
-constexpr Unit lengths[] = {{"m", 1},          {"cm", 1e-2},           {"mm", 1e-3},           {"m/s^2", 1, true},
-                            {"m/s2", 1, true}, {"cm/s^2", 1e-2, true}, {"mm/s^2", 1e-3, true}, {"g", 9.80665, true}};
+constexpr Unit lengths[] = {
+    {"m", 1},          {"cm", 1e-2},           {"mm", 1e-3},           {"m/s^2", 1, true},
+    {"m/s2", 1, true}, {"cm/s^2", 1e-2, true}, {"mm/s^2", 1e-3, true}, {"g", solver::standard_gravity, true}};
 constexpr Unit angles[] = {{"deg", 1}, {"rad", degrees}, {"deg/s^2", 1, true}, {"rad/s^2", degrees, true}};
 
 /// What a column holds; without a degree of freedom the times.
@@ -123,7 +123,7 @@ Parameters::TimeSeries titled_motion(const Csv& table, const std::vector<std::st
                    fmt::format("t = {:g} s; expected a time after the {:g} s of the line above", t[row], t[row - 1]));
   if (t.size() < 4) table.refuse_end(fmt::format("the file ends after {} samples; expected 4 at least", t.size()));
   for (const MotionColumn& column : header)
-    if (column.unit.acceleration) series[*column.moved] = displacement_of(t, series[*column.moved]);
+    if (column.unit.acceleration) series[*column.moved] = solver::integrated_twice(t, series[*column.moved]);
   return series;
 }
 

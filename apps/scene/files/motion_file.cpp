@@ -8,7 +8,7 @@
 #include "apps/common/errors.hpp"
 #include "apps/scene/files/motion_columns.hpp"
 #include "apps/scene/files/motion_tables.hpp"
-#include "solver/make_simulation.hpp"
+#include "solver/motion/record.hpp"
 
 namespace seiche::apps {
 namespace {
@@ -40,7 +40,7 @@ Parameters::TimeSeries parse_motion(const std::string& text, const std::string& 
                                     const std::string& columns) {
   Parameters::TimeSeries series = any_form(text, file, motion, listed(columns));
   for (const DegreeOfFreedomRow& row : degrees_of_freedom)
-    if (row.rotation) series[row.value] = without_turns(series[row.value]);
+    if (row.rotation) series[row.value] = solver::unwrapped(series[row.value]);
   return series;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -63,7 +64,7 @@ class Placed {
  public:
   Placed(const Parameters::Motion& motion, std::string file) : file_(std::move(file)) {
     for (const DegreeOfFreedomRow& row : degrees_of_freedom) {
-      const int axis = motion.axes == MotionAxes::tank ? row.tank_axis : row.ship_axis;
+      const int axis = frame_axis(row, motion);
       all_[static_cast<std::size_t>(axis + (row.rotation ? 3 : 0))] = row.value;
     }
   }
