@@ -208,16 +208,23 @@ std::vector<Option> make_options() {
       {"motion", "ramp", "s", AT(parameters.motion.ramp), Range{0, 1e5},
        "the motion grows from nothing over this time"},
       {"motion", "file", "", AT(parameters.motion.file), Text{},
-       "CSV of t [s] and surge [m], roll [deg], ... or their accelerations, an OpenFOAM table or a DualSPHysics path; its "
+       "CSV of t [s] and surge [m], roll [deg], ... or their accelerations, an OpenFOAM table or a DualSPHysics path; "
+       "its "
        "path from the scene's folder"},
       {"motion", "columns", "", AT(given.columns), Text{},
-       "of the file, those that are followed, as in \"sway, roll\"; empty: all. Of a file without titles the names of its "
+       "of the file, those that are followed, as in \"sway, roll\"; empty: all. Of a file without titles the names of "
+       "its "
        "columns, as in \"t, roll\""},
       {"motion", "from", "s", AT(parameters.motion.from), Range{-1e5, 1e5}, "the file's time at which the run begins"},
-      {"motion", "hold", "", AT(parameters.motion.hold), {},
+      {"motion",
+       "hold",
+       "",
+       AT(parameters.motion.hold),
+       {},
        "before the file's first sample and after its last the tank stands still there"},
       {"motion", "cutoff", "Hz", AT(parameters.motion.cutoff), Range{0, 1e5},
-       "the file is smoothed: what is as fast as this keeps half its amplitude, what is half as fast 94 %; 0: it isn't"},
+       "the file is smoothed: what is as fast as this keeps half its amplitude, what is half as fast 94 %; 0: it "
+       "isn't"},
       {"motion", "axes", "", CHOICE(parameters.motion.axes), "that the six degrees of freedom belong to"},
       {"motion", "tank_x", "", CHOICE(parameters.motion.tank_x), "ship axes: where the tank's x points"},
       {"motion", "rotation_order", "", CHOICE(parameters.motion.rotation_order),

@@ -64,8 +64,8 @@ class Placed {
  public:
   Placed(const Parameters::Motion& motion, std::string file) : file_(std::move(file)) {
     for (const DegreeOfFreedomRow& row : degrees_of_freedom) {
-      const int axis = frame_axis(row, motion);
-      all_[static_cast<std::size_t>(axis + (row.rotation ? 3 : 0))] = row.value;
+      const auto axis = static_cast<std::size_t>(frame_axis(row, motion));
+      all_[axis + (row.rotation ? 3 : 0)] = row.value;
     }
   }
 
