@@ -90,6 +90,8 @@ gallery() {
   picture upright-cylinder upright-cylinder 2.5 --set look.curves=none
   picture ringed ringed 2.5 --set look.curves=none
   picture rocket rocket 3 --set look.curves=none
+  picture ship ship 22 --set output.frame_rate=2 --set look.curves=none
+  picture orbit orbit 6.5 --set look.curves=none
   picture stl-tank stl-tank 1.5 --set look.curves=none
   picture spheric10 spheric10 2.5 --set look.quantity=speed --set look.range=0,1 --set look.curves=none
   build/seiche compare scenes/pan2008-paper.toml --vary method.kernel=KF1,KF2,KF3,KF4,KF5 --spacing 0.01 \

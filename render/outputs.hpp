@@ -7,6 +7,7 @@
 
 #include "render/image.hpp"
 #include "render/look.hpp"
+#include "render/motion_marks.hpp"
 #include "solver/frame.hpp"
 #include "solver/sink.hpp"
 
@@ -71,6 +72,9 @@ std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<Ima
 
 /// folder/vtu/name_000123.vtu, folder/name.pvd and folder/name.vtu.series, both valid after every frame.
 std::unique_ptr<Sink> vtu_series(const std::filesystem::path& folder);
+
+/// One frame by itself, with degrees of freedom shown over it.
+Image draw_frame(const RunInfo& run, const Look& look, const Frame& frame, const MotionMarks& marks);
 
 /// How a curve is drawn: runs as lines in colours of their own, what they are compared with in black.
 enum class Mark { line, dashes, points };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/motion/check_motion.hpp"
+#include "solver/motion/level_start.hpp"
 #include "solver/sensors/check_sensors.hpp"
 #include "solver/tank/check_liquid.hpp"
 #include "solver/tank/shape.hpp"
@@ -21,6 +22,7 @@ void check_parameters(const Parameters& p) {
                     "particles twice and leaves no place for a shift",
                     p.method.shift));
   solver::check_motion(p);
+  solver::check_level_start(p);
   const auto [length, height, width] = wall.size();
   const double particles = length * height / (l0 * l0) * (width > 0 ? width / l0 : 1);
   if (particles > 1e8)

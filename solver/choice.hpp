@@ -46,7 +46,7 @@ enum class TankX { none, forward, port };
 /// About which axes the tank is turned one after another, each turned with it by those before.
 enum class RotationOrder { zyx, xyz };
 /// What the liquid does at t = 0.
-enum class Start { impulsive, smooth };
+enum class Start { impulsive, smooth, level };
 /// What a pressure sensor makes of the pressures on its area.
 enum class PressureReading { mean, maximum };
 /// Which end of the liquid on its line a wave gauge reads.
@@ -146,8 +146,10 @@ struct ChoiceTable<RotationOrder> {
 };
 template <>
 struct ChoiceTable<Start> {
-  static constexpr std::array rows{Choice{Start::impulsive, "impulsive", "at rest in the lab"},
-                                   Choice{Start::smooth, "smooth", "moves with the tank"}};
+  static constexpr std::array rows{
+      Choice{Start::impulsive, "impulsive", "at rest in the lab"},
+      Choice{Start::smooth, "smooth", "moves with the tank"},
+      Choice{Start::level, "level", "moves with the tank, its surface level under the gravity that acts in it"}};
 };
 template <>
 struct ChoiceTable<PressureReading> {

@@ -7,7 +7,7 @@
 // What a column of `Frame::readings` is. The sensor that fills it makes it, and nothing else tells what it is.
 namespace seiche {
 
-enum class ColumnKind { pressure, elevation, force, moment, energy, volume, centre, translation, rotation };
+enum class ColumnKind { pressure, elevation, force, moment, energy, volume, centre, swirl, translation, rotation };
 
 /// What a column reads as long as nothing moves.
 enum class Rest { zero, first_value };

@@ -26,6 +26,8 @@ class Gravity {
   /// Whether it points along -y, or there is none.
   bool is_upright() const { return parts_[0] == 0 && parts_[2] == 0 && parts_[1] <= 0; }
 
+  bool operator==(const Gravity&) const = default;
+
  private:
   std::array<double, 3> parts_{0, -9.81, 0};
 };

@@ -12,6 +12,7 @@
 #include "apps/commands/replay_verbs.hpp"
 #include "apps/commands/run.hpp"
 #include "apps/commands/schema.hpp"
+#include "apps/commands/start_picture.hpp"
 #include "apps/common/exit_codes.hpp"
 #include "apps/common/nearest.hpp"
 #include "apps/common/output_folder.hpp"
@@ -79,11 +80,19 @@ void add_compare(CLI::App& app, compare::Request& request, int& code) {
   verb->callback([&request, &code] { code = compare::compare(request); });
 }
 
-void add_check(CLI::App& app, std::string& scene) {
+void add_check(CLI::App& app, std::string& scene, std::string& picture) {
   CLI::App* verb =
       app.add_subcommand("check", "Look for mistakes in a scene")->group("Verbs")->footer(help::check_footer);
   verb->add_option("scene", scene, "scene file")->required()->type_name("SCENE");
-  verb->callback([&scene] { fmt::print("{}", check_text(read_scene(scene, {}))); });
+  verb->add_option("--picture", picture, "draw the tank as a run starts, and the axes of its motion, into this file")
+      ->type_name("FILE.png");
+  verb->callback([&scene, &picture] {
+    const Scene read = read_scene(scene, {});
+    fmt::print("{}", check_text(read));
+    if (picture.empty()) return;
+    draw_start(read, picture);
+    fmt::print("  picture {}\n", picture);
+  });
 }
 
 void add_info(CLI::App& app) {
@@ -156,7 +165,7 @@ int parse(int argc, char** argv) {
   add_compare(app, comparison, code);
   add_render(app, drawing, code);
   add_movie(app, encoding, code);
-  add_check(app, checked);
+  add_check(app, checked, picture);
   add_schema(app);
   add_info(app);
   add_kernels(app, picture);

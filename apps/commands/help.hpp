@@ -80,6 +80,7 @@ movie that is replaced stays until the new one is whole.)";
 
 constexpr const char* check_footer = R"(Examples:
   seiche check scenes/quick.toml
+  seiche check scenes/ship.toml --picture ship.png
 
 All mistakes are listed, each with its file, line and column. Exits with 0 if there is none, else with 2.)";
 

@@ -238,7 +238,12 @@ std::vector<Option> make_options() {
 
       {"sensors", "force", "", AT(parameters.sensors.force), {}, "force on the walls, and moment about the pivot"},
       {"sensors", "energy", "", AT(parameters.sensors.energy), {}, "kinetic and potential energy of the liquid"},
-      {"sensors", "volume", "", AT(parameters.sensors.volume), {}, "volume and centre of mass of the liquid"},
+      {"sensors",
+       "volume",
+       "",
+       AT(parameters.sensors.volume),
+       {},
+       "volume and centre of mass of the liquid, in 3-D its swirl"},
 
       {"particles", "spacing", "m", AT(parameters.particles.spacing), Range{0, 10, true},
        "l0, between particles at rest"},

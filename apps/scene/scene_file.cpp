@@ -84,6 +84,14 @@ void check_step(const Scene& scene) {
   check("1/output.frame_rate", 1 / scene.output.frame_rate);
 }
 
+// The columns of a file mean nothing to a motion without one; to no motion everything may be left as it is.
+void check_columns(const Scene& scene) {
+  const Parameters::Motion& motion = scene.parameters.motion;
+  if (scene.given.columns.empty() || motion.type == MotionType::file || motion.type == MotionType::none) return;
+  throw BadParameters(fmt::format("motion.type = {} ignores motion.columns: take motion.type = file, or leave it out",
+                                  motion.type_name()));
+}
+
 [[noreturn]] void refuse(std::vector<Complaint> complaints) {
   std::stable_sort(complaints.begin(), complaints.end(),
                    [](const Complaint& a, const Complaint& b) { return a.position < b.position; });
@@ -113,6 +121,7 @@ Scene parse_scene(const std::string& toml, const std::string& file, const std::v
     settle_tank(scene, fs::path(file).parent_path());
     check_parameters(scene.parameters);
     check_step(scene);
+    check_columns(scene);
     render::check_look(scene.look);
     render::check_dimension(scene.look, scene.parameters.dimension());
   } catch (const std::invalid_argument& error) {

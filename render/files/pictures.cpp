@@ -84,4 +84,10 @@ std::unique_ptr<Sink> pictures(const Look& look, std::vector<std::unique_ptr<Ima
   return std::make_unique<Pictures>(look, std::move(image_sinks), folder);
 }
 
+Image draw_frame(const RunInfo& run, const Look& look, const Frame& frame, const MotionMarks& marks) {
+  Painter painter(run, look);
+  painter.mark(marks);
+  return painter.draw(frame, fixed_range(run, look).value_or(rounded(fluid_range(frame, look.quantity))));
+}
+
 }  // namespace seiche::render

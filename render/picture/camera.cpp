@@ -35,6 +35,12 @@ View::View(int dimension, const Bounds& bounds) {
   }
 }
 
+std::array<double, 2> View::pixel(const Double3& at, const Layout& layout) const {
+  const Box& view = layout.view;
+  return {view.x + view.width / 2 + layout.scale * (dot(at, right_) - (low_[0] + high_[0]) / 2),
+          view.y + view.height / 2 + layout.scale * (dot(at, up_) - (low_[1] + high_[1]) / 2)};
+}
+
 void View::aim(vtkRenderer* renderer, const Layout& layout, int picture_width, int picture_height) const {
   const double x =
       (low_[0] + high_[0]) / 2 + (picture_width / 2.0 - layout.view.x - layout.view.width / 2) / layout.scale;

@@ -28,6 +28,9 @@ class View {
   /// Seen length of a tank's edge of 1 m, the same for each [m].
   double foreshortening() const { return right_[0] == 1 ? 1 : std::sqrt(2 / 3.0); }
 
+  /// Where a place in space is in the picture [pixels, from its bottom left corner].
+  std::array<double, 2> pixel(const Double3& at, const Layout& layout) const;
+
   /// Puts the camera so that the bounds fill layout.view of a picture of the given size [pixels].
   void aim(vtkRenderer* renderer, const Layout& layout, int picture_width, int picture_height) const;
 

@@ -19,6 +19,7 @@
 #include "render/picture/scalar_bar.hpp"
 #include "render/picture/ticks.hpp"
 #include "render/view/annotations.hpp"
+#include "render/view/mark_shapes.hpp"
 #include "render/view/tank_view.hpp"
 
 namespace seiche::render {
@@ -30,18 +31,21 @@ struct Painter::Pipeline {
   std::optional<Annotations> words;
   std::optional<TankView> tank;
   std::optional<ScalarBar> bar;
+  std::optional<Overlay> marked;
   CurveStrip strip;
   PixelReader pixels;
 
-  Pipeline(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves, const Frame& first);
+  Pipeline(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves, const MotionMarks& marks,
+           const Frame& first);
 };
 
 Painter::Pipeline::Pipeline(const RunInfo& run, const Look& look, const std::vector<SensorCurve>& curves,
-                            const Frame& first)
+                            const MotionMarks& marks, const Frame& first)
     : strip(curves) {
   const Palette colours = palette(look.background);
   const Quantity quantity = look.quantity;
-  const View view(run.dimension, visible_bounds(run, look, first));
+  const double arrow = mark_length({run.tank.low(), run.tank.high()});
+  const View view(run.dimension, with_marks(visible_bounds(run, look, first), marks, arrow));
   words.emplace(run, look, caption_of(run), round_below(0.25 * view.width()));
 
   Needs needs{.width = look.width, .height = look.height, .view_width = view.width(), .view_height = view.height()};
@@ -64,6 +68,9 @@ Painter::Pipeline::Pipeline(const RunInfo& run, const Look& look, const std::vec
   if (look.show_bar) bar.emplace(renderer, layout, quantity, ColourMap(look.colour_map), colours.foreground);
   words->place(renderer, layout, view.foreshortening(), arrow_font(layout.view.width, layout.font), colours.foreground);
   strip.place(renderer, layout, colours);
+  if (marks.marks.empty()) return;
+  marked.emplace(renderer);
+  draw_marks(*marked, marks, arrow, view, layout, look.width, colours);
 }
 
 Painter::Painter(const RunInfo& run, const Look& look) : run_(run), look_(look) {
@@ -78,7 +85,7 @@ void Painter::record(const Readings& readings) {
 }
 
 Image Painter::draw(const Frame& frame, Range range) {
-  if (!pipeline_) pipeline_ = std::make_unique<Pipeline>(run_, look_, curves_, frame);
+  if (!pipeline_) pipeline_ = std::make_unique<Pipeline>(run_, look_, curves_, marks_, frame);
   pipeline_->tank->show(frame, range);
   if (pipeline_->bar) pipeline_->bar->show(range, fluid_range(frame, look_.quantity));
   pipeline_->words->set_time(frame.time);

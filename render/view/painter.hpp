@@ -4,6 +4,7 @@
 #include "render/curves/sensor_curve.hpp"
 #include "render/image.hpp"
 #include "render/look.hpp"
+#include "render/motion_marks.hpp"
 #include "solver/frame.hpp"
 #include "solver/run_info.hpp"
 
@@ -16,6 +17,9 @@ class Painter {
   Painter(const RunInfo& run, const Look& look);
   ~Painter();
 
+  /// Shows degrees of freedom over the tank. Call it before the first frame.
+  void mark(MotionMarks marks) { marks_ = std::move(marks); }
+
   /// Takes over readings for the curves under the picture: a frame shows those up to its time, on axes that hold all.
   void record(const Readings& readings);
 
@@ -25,6 +29,7 @@ class Painter {
   struct Pipeline;
   RunInfo run_;
   Look look_;
+  MotionMarks marks_;
   std::vector<SensorCurve> curves_;
   std::unique_ptr<Pipeline> pipeline_;
 };

@@ -19,6 +19,7 @@ struct BodyForce {
   bool rotates = false;                 ///< the rest is 0 where it doesn't
   Matrix of_position = Matrix::Zero();  ///< Euler and centrifugal force of d [1/s^2]
   Matrix of_velocity = Matrix::Zero();  ///< Coriolis force of u [1/s]
+  Matrix of_gain = Matrix::Zero();      ///< Coriolis turn, within the step, of what it adds to the velocity [-]
   Vec<D> pivot = Vec<D>::Zero();        ///< [m]
   double divergence = 0;                ///< of the force over the liquid [1/s^2]
 
@@ -41,7 +42,12 @@ inline Eigen::Matrix3d cross(const Eigen::Vector3d& w) {
 
 /// The body force of the step from t to t + dt. Accelerations are the means over the step, so that the velocity of a
 /// free particle in a tank that doesn't rotate is exact whatever the step; orientation and angular velocity are those
-/// of its middle. A free particle in a rotating tank is followed to first order in dt.
+/// of its middle.
+///
+/// The Coriolis force turns u by -2 w dt over a step, T, and what else acts, k, by half of that, H, on average:
+///   u(t + dt) = T u(t) + H dt k + O(dt^3),   k = f + 2 w x u - grad p/rho.
+/// `of_velocity` has (T - 1)/dt: u then keeps its length, whatever the step. `of_gain` has H - 1, for when k is known.
+/// Without that turn liquid at rest in the lab, in a tank that spins, would lose its velocity at the rate w^2 dt/2.
 template <int D>
 BodyForce<D> body_force(const Motion& motion, const Gravity& gravity, double t, double dt) {
   const RigidState from = motion.state(t), to = motion.state(t + dt);
@@ -60,18 +66,35 @@ BodyForce<D> body_force(const Motion& motion, const Gravity& gravity, double t, 
   force.rotates = true;
   force.uniform = (to_tank * uniform).template head<D>();
   force.of_position = (-detail::cross(mean_alpha) - cross * cross).template topLeftCorner<D, D>();
-  // The Coriolis force turns u by -2 w dt over a step. That turn itself over dt, and not -2 w x u, is what acts: u then
-  // keeps its length, whatever the step.
   const double rate = w.norm();
   if (rate > 0) {
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(-2 * rate * dt, w / rate).toRotationMatrix();
-    force.of_velocity = ((turn - Eigen::Matrix3d::Identity()) / dt).template topLeftCorner<D, D>();
+    const auto turn_less_1 = [&](double angle) -> typename BodyForce<D>::Matrix {
+      return (Eigen::AngleAxisd(-angle, w / rate).toRotationMatrix() - Eigen::Matrix3d::Identity())
+          .template topLeftCorner<D, D>();
+    };
+    force.of_velocity = turn_less_1(2 * rate * dt) / dt;
+    force.of_gain = turn_less_1(rate * dt);
   }
   force.pivot = middle.pivot.head<D>();
   // 2 w^2 + 2 w.zeta. Liquid keeps the vorticity that it has in the lab, 0 or that of a tank which it began to move
   // with: zeta = 2 (R^T w0 - w). What it gains beyond that leaves dt 2 w.zeta in the velocity, for the next step to
   // take.
   force.divergence = 2 * w.squaredNorm() + 4 * w.dot(to_tank * motion.spin_of_liquid() - w);
+  return force;
+}
+
+/// The body force on liquid that is at rest in the tank.
+template <int D>
+BodyForce<D> body_force(const RelativeEquilibrium& at_rest) {
+  BodyForce<D> force;
+  const Eigen::Vector3d g(at_rest.gravity[0], at_rest.gravity[1], at_rest.gravity[2]);
+  force.uniform = g.head<D>();
+  if (at_rest.spin == 0) return force;
+  const Eigen::Matrix3d cross = detail::cross(at_rest.spin / g.norm() * g);
+  force.rotates = true;
+  force.of_position = -(cross * cross).topLeftCorner<D, D>();
+  force.pivot = Eigen::Vector3d(at_rest.pivot.data()).head<D>();
+  force.divergence = 2 * at_rest.spin * at_rest.spin;
   return force;
 }
 

@@ -57,13 +57,13 @@ Warning of_rounding(const Parameters::Motion& m, const DegreeOfFreedomRow& row) 
 
 Warning of_start(const Parameters& p, const solver::Motion& motion) {
   const Eigen::Vector3d g(p.gravity[0], p.gravity[1], p.gravity[2]);
-  if (g.norm() == 0) return {};
+  if (g.norm() == 0 || p.motion.start == Start::level) return {};
   const Eigen::Vector3d in_tank = motion.state(0).orientation.conjugate() * g;
   const double tilt = std::atan2(g.cross(in_tank).norm(), g.dot(in_tank)) * 180 / std::numbers::pi;
   if (tilt < 0.1) return {};
   return fmt::format(
-      "the tank starts tilted by {:.3g} degrees, and the liquid with its surface as in an upright tank: begin with a "
-      "motion.ramp, or where the tank is upright",
+      "the tank starts tilted by {:.3g} degrees, and the liquid with its surface as in an upright tank: take "
+      "motion.start = level, or begin with a motion.ramp",
       tilt);
 }
 

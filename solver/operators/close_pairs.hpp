@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include "solver/particles/pairs.hpp"
 
 namespace seiche::solver {
@@ -8,6 +11,7 @@ namespace seiche::solver {
 template <int D>
 void part_close_pairs(double distance, const Neighbours<D>& list, State<D>& s, Vecs<D>& moved) {
   const int size = static_cast<int>(s.size());
+  resize_kept(moved, s.size());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     moved[i].setZero();
@@ -22,38 +26,103 @@ void part_close_pairs(double distance, const Neighbours<D>& list, State<D>& s, V
   for (int i = 0; i < size; ++i) s.position[i] += moved[i];
 }
 
+/// Buffers of collisions.
+template <int D>
+struct Collisions {
+  std::vector<int> count;             ///< with other fluid, of each particle
+  std::vector<std::uint8_t> at_wall;  ///< 1 where a wall particle is near enough to ask
+  Vecs<D> change;                     ///< of the velocity [m/s]
+};
+
+/// How far aside of a wall particle its wall still stops liquid, squared [m^2]. Before a square lattice the nearest
+/// lies at most sqrt(D - 1)/2 l0 aside; a tenth more for one that is bent.
+template <int D>
+double reach_along_wall(double l0) {
+  return 1.21 * 0.25 * (D - 1) * l0 * l0;
+}
+
 /// Perfectly inelastic collision: a pair closer than `distance` that approaches loses its velocity of approach, shared
-/// equally between two fluid particles (momentum is kept), wholly taken by the one that meets a wall. Koshizuka & Oka
-/// (1996) use such a collision at 0.5 l0. Where both are near the free surface the distance is l0 at least: with p
-/// given there, pressure can't keep those particles at their spacing. All pairs act at once, so each is weakened by the
-/// number of collisions of its busier partner: energy can only fall. `collisions` and `change` are buffers.
+/// equally between two fluid particles (momentum is kept). Koshizuka & Oka (1996) use such a collision at 0.5 l0. Where
+/// both are near the free surface the distance is l0 at least: with p given there, pressure can't keep those particles
+/// at their spacing. All pairs act at once, so each is weakened by the number of collisions of its busier partner:
+/// energy can only fall. Also finds what is at a wall, for collide_with_walls().
 template <int D>
 void collide_close_pairs(double distance, double l0, const std::vector<std::uint8_t>& near, const Neighbours<D>& list,
-                         State<D>& s, std::vector<int>& collisions, Vecs<D>& change) {
+                         State<D>& s, Collisions<D>& buffers) {
   const int size = static_cast<int>(s.size());
-  const auto each_collision = [&](int i, auto f) {
+  std::vector<int>& count = buffers.count;
+  std::vector<std::uint8_t>& at_wall = buffers.at_wall;
+  Vecs<D>& change = buffers.change;
+  resize_kept(count, s.size());
+  resize_kept(at_wall, s.size());
+  resize_kept(change, s.size());
+  // Calls fluid(j, velocity of approach) for each collision of i, and wall() for each wall particle with r^2 < far.
+  const auto each_close = [&](int i, double far, auto fluid, auto wall) {
+    const Vec<D> ri = s.position[i];
     for (int j : list[i]) {
-      const Vec<D> rij = s.position[j] - s.position[i];
+      const double r2 = squared_distance<D>(s.position, j, ri);
+      if (r2 >= far) continue;
+      if (s.kind[j] != Kind::fluid) {
+        wall();
+        continue;
+      }
       const double reach = near[i] && near[j] ? std::max(distance, l0) : distance;
-      const double r2 = rij.squaredNorm(), approach = (s.velocity[j] - s.velocity[i]).dot(rij);
-      if (r2 < reach * reach && approach < 0) f(j, Vec<D>(approach / r2 * rij));
+      const Vec<D> rij = s.position[j] - ri;
+      const double approach = (s.velocity[j] - s.velocity[i]).dot(rij);
+      if (r2 < reach * reach && approach < 0) fluid(j, Vec<D>(approach / r2 * rij));
     }
   };
+  const double furthest = std::pow(std::max(distance, l0), 2);
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
-    collisions[i] = 0;
-    if (s.kind[i] == Kind::fluid) each_collision(i, [&](int, const Vec<D>&) { ++collisions[i]; });
+    count[i] = at_wall[i] = 0;
+    if (s.kind[i] != Kind::fluid) continue;
+    each_close(
+        i, furthest + reach_along_wall<D>(l0), [&](int, const Vec<D>&) { ++count[i]; }, [&] { at_wall[i] = 1; });
   }
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     change[i].setZero();
-    if (s.kind[i] != Kind::fluid || collisions[i] == 0) continue;
-    each_collision(i, [&](int j, const Vec<D>& velocity) {
-      change[i] += (s.kind[j] == Kind::fluid ? 0.5 : 1.0) / std::max(collisions[i], collisions[j]) * velocity;
-    });
+    if (s.kind[i] != Kind::fluid || count[i] == 0) continue;
+    each_close(
+        i, furthest, [&](int j, const Vec<D>& velocity) { change[i] += 0.5 / std::max(count[i], count[j]) * velocity; },
+        [] {});
   }
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) s.velocity[i] += change[i];
+}
+
+/// The same at walls: liquid closer to one than `distance` less the l0/2 that wall particles lie behind it loses its
+/// velocity against it, and keeps what it has along it, as of a plane and not of the points that stand for it. Of
+/// several wall particles the mean counts: a projection's, which leaves energy no way but down. Where a wall particle
+/// has no normal, in a corner, the line to it takes its place; so it does near the free surface, up to l0: no pressure
+/// keeps single particles there from sliding up the wall, and its points hold them.
+/// @param at_wall 1 where a wall particle may be near enough
+template <int D>
+void collide_with_walls(double distance, double l0, const std::vector<std::uint8_t>& near,
+                        const std::vector<std::uint8_t>& at_wall, const Neighbours<D>& list, State<D>& s) {
+  const double beside = reach_along_wall<D>(l0);
+#pragma omp parallel for schedule(static)
+  for (int i = 0; i < static_cast<int>(s.size()); ++i) {
+    if (!at_wall[i]) continue;
+    const double reach = near[i] ? std::max(distance, l0) : distance;
+    const double furthest = reach * reach + (near[i] ? 0 : beside);
+    Vec<D> sum = Vec<D>::Zero();
+    int walls = 0;
+    for (int j : list[i]) {
+      if (s.kind[j] == Kind::fluid) continue;
+      const Vec<D> rij = s.position[j] - s.position[i];
+      const double r2 = rij.squaredNorm();
+      if (r2 >= furthest) continue;
+      Vec<D> normal = near[i] ? Vec<D>(Vec<D>::Zero()) : s.normal_from(s.position[i], j);
+      if (normal.isZero()) normal = rij / std::sqrt(r2);
+      const double depth = rij.dot(normal), against = s.velocity[i].dot(normal);
+      if (against <= 0 || depth <= 0 || depth >= reach || r2 - depth * depth > beside) continue;
+      sum += against * normal;
+      ++walls;
+    }
+    if (walls > 0) s.velocity[i] -= sum / walls;
+  }
 }
 
 }  // namespace seiche::solver

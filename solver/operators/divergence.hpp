@@ -29,13 +29,12 @@ void velocity_divergence(const Pairs<D>& pairs, double n0, const State<D>& s, Sc
     OuterSum<D> gradients, moments;
     pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
       const bool fluid_j = s.kind[j] == Kind::fluid;
-      if ((!fluid && !fluid_j) || s.wet[j] == 0) return;
       const Vec<D> du = s.velocity[j] - ui;
       if (fluid && fluid_j) {
         sum += weight * du.dot(rij);
         gradients.add(weight * du, rij);
         moments.add(weight * rij, rij);
-      } else {
+      } else if ((fluid || fluid_j) && s.wet[j] != 0) {
         walled = true;
         const Vec<D> normal = fluid ? s.normal_from(s.position[i], j) : s.normal_from(s.position[j], i);
         sum += (fluid ? s.wet[j] : 1) * weight * 2 * rise_across(normal, du, rij);

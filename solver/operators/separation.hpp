@@ -14,13 +14,12 @@ class Separation {
         distance_(p.method.separation_distance * p.particles.spacing) {}
 
   void operator()(const Neighbours<D>& list, State<D>& s) {
-    resize_kept(change_, s.size());
     switch (model_) {
       case SeparationModel::collide:
-        resize_kept(collisions_, s.size());
-        return collide_close_pairs(distance_, l0_, s.near_surface, list, s, collisions_, change_);
+        collide_close_pairs(distance_, l0_, s.near_surface, list, s, buffers_);
+        return collide_with_walls(distance_, l0_, s.near_surface, buffers_.at_wall, list, s);
       case SeparationModel::part:
-        return part_close_pairs(distance_, list, s, change_);
+        return part_close_pairs(distance_, list, s, buffers_.change);
       case SeparationModel::none:
         return;
     }
@@ -29,8 +28,7 @@ class Separation {
  private:
   SeparationModel model_;
   double l0_, distance_;  ///< [m]
-  std::vector<int> collisions_;
-  Vecs<D> change_;
+  Collisions<D> buffers_;
 };
 
 }  // namespace seiche::solver

@@ -24,8 +24,9 @@ void strain_rate_divergence(const Pairs<D>& pairs, const Reference& ref, bool sl
     const Vec<D> ui = s.velocity[i];
     Vec<D> sum = Vec<D>::Zero();
     pairs.each(i, s, [&](int j, const Vec<D>& rij, double weight) {
-      weight *= s.wet[j];
-      if (slip && s.kind[j] != Kind::fluid) {
+      const bool wall = s.kind[j] != Kind::fluid;
+      if (wall) weight *= s.wet[j];
+      if (slip && wall) {
         const Vec<D> normal = s.normal_from(s.position[i], j);
         const double across = normal.dot(rij);
         sum -= weight * 2 * ui.dot(normal) * across * across * normal;

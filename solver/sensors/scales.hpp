@@ -15,6 +15,7 @@ struct Scales {
   double force = 0;     ///< a tenth of the weight [N/m, N]
   double moment = 0;    ///< that times the tank's length [N m/m, N m]
   double energy = 0;    ///< a hundredth of the weight times h [J/m, J]
+  double swirl = 0;     ///< what a wave of that energy has that goes round at sqrt(g/length of the tank) [kg m^2/s]
 
   explicit Scales(const Parameters& p) {
     const double depth = p.fluid.depth, specific = p.fluid.density * p.gravity.size();
@@ -26,6 +27,7 @@ struct Scales {
     force = or_one(0.1 * specific * all);
     moment = or_one(0.1 * specific * all * length_of_tank);
     energy = or_one(0.01 * specific * all * depth);
+    swirl = or_one(0.01 * p.fluid.density * all * depth * std::sqrt(p.gravity.size() * length_of_tank));
   }
 
  private:

@@ -5,6 +5,7 @@
 #include "solver/sensors/load_sensors.hpp"
 #include "solver/sensors/pressure_sensor.hpp"
 #include "solver/sensors/scales.hpp"
+#include "solver/sensors/swirl.hpp"
 #include "solver/sensors/volume.hpp"
 #include "solver/sensors/wave_gauges.hpp"
 
@@ -30,8 +31,8 @@ std::vector<Column> sensor_columns(const Parameters& p) {
 template <int D>
 const std::vector<SensorKind<D>>& sensor_kinds() {
   static const std::vector<SensorKind<D>> kinds{kind<D, PressureSensors>(), kind<D, WaveGauges>(),
-                                                kind<D, LoadSensors>(), kind<D, EnergySensor>(),
-                                                kind<D, VolumeSensor>()};
+                                                kind<D, LoadSensors>(),     kind<D, EnergySensor>(),
+                                                kind<D, VolumeSensor>(),    kind<D, SwirlSensor>()};
   return kinds;
 }
 

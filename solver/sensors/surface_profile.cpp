@@ -136,7 +136,8 @@ double SurfaceProfile<D>::crossing(int c) const {
   const Column& column = columns_[c];
   const int i = c % count(0), k = c / count(0);
   const double l0 = lattice_.l0, dy = 0.25 * l0, bottom = y(column.bottom);
-  const double top = water_.top(i, k, bottom) + 2 * l0;
+  // That far above a whole layer of particles phi is 0.07.
+  const double top = water_.top(i, k, bottom) + 1.25 * l0;
   double above = 0;
   for (double at = closed_ ? std::min(top, y(column.top)) : top; at > bottom; at -= dy) {
     const double open = 1 - beside_.sum(i, k, at);

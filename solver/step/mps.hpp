@@ -1,5 +1,6 @@
 #pragma once
 #include "solver/motion/body_force.hpp"
+#include "solver/motion/level_start.hpp"
 #include "solver/operators/pressure_gradient.hpp"
 #include "solver/operators/separation.hpp"
 #include "solver/operators/shift.hpp"
@@ -37,15 +38,24 @@ class Mps final : public Simulation {
   bool take_even_places();
   void start_at_rest_in_lab();
 
+  BodyForce<D> body(double dt) const {
+    return settling_ ? body_force<D>(at_rest_) : body_force<D>(motion_, p_.gravity, s_.time, dt);
+  }
+  Vec<D> up() const {
+    return settling_ ? LevelAxes<D>(at_rest_.gravity).up() : up_in_tank<D>(motion_, p_.gravity, s_.time);
+  }
+
   void step_move_first(double dt);
   void step_project_first(double dt);
   void list_neighbours();
   void find_neighbours();
   void find_surface();
-  void predict(double dt);
+  void predict(const BodyForce<D>& force, double dt);
   void solve_pressure(double dt, double surface_density);
   void clip_pressure();
   void correct(double dt);
+  void turn(const BodyForce<D>& force, double dt);
+  void turn_gain(const BodyForce<D>& force);
   void separate();
   void remove_lost();
 
@@ -62,7 +72,9 @@ class Mps final : public Simulation {
   Parameters p_;
   Motion motion_;
   std::shared_ptr<const Shape<D>> tank_;
-  double wave_speed_;  ///< sqrt(g H), g the greatest pull [m/s]
+  double wave_speed_;            ///< sqrt(g H), g the greatest pull [m/s]
+  RelativeEquilibrium at_rest_;  ///< at t = 0
+  bool settling_ = false;        ///< the liquid becomes even under that, before the run
 
   RunState<D> run_;  ///< all that a step reads of the one before
   State<D>& s_ = run_.particles;
@@ -81,6 +93,7 @@ class Mps final : public Simulation {
   Watch<D> watch_;
 
   Forces<D> forces_;  ///< of this step
+  Vecs<D> turned_;    ///< of this step: velocity that the Coriolis force alone would leave [m/s]
   Vecs<D> change_;    ///< of this step: of the velocity by the pressure [m/s], then the shift [m]
 };
 

@@ -19,7 +19,8 @@ Mps<D>::Mps(const Parameters& p, double sample_interval)
       motion_(p.motion),
       tank_(make_shape<D>(p)),
       wave_speed_(wave_speed(p, tank_->bounds(), motion_)),
-      run_{.particles = fill_tank<D>(p, *tank_)},
+      at_rest_(equilibrium_at_start(p)),
+      run_{.particles = fill_tank<D>(p, *tank_, at_rest_)},
       near_(p, tank_->bounds().low.array() - wall_layers(p.method) * p.particles.spacing,
             tank_->bounds().high.array() + wall_layers(p.method) * p.particles.spacing, longest_support(p.method)),
       walls_(make_walls<D>(p, near_.density.w)),
@@ -48,8 +49,8 @@ Mps<D>::Mps(const Parameters& p, double sample_interval)
 template <int D>
 void Mps<D>::settle() {
   if (wave_speed_ == 0) return;
-  const double specific = still_pressure(p_, 1, 0);  // 0: pressures are 0
-  const LevelAxes<D> axes(p_.gravity);
+  const double specific = still_pressure(p_.fluid.density, at_rest_.gravity, 1, 0);  // 0: pressures are 0
+  const LevelAxes<D> axes(at_rest_);
   Scalars level(s_.size());  // by particles' numbers
   each_fluid(s_, [&](int i) {
     level[s_.id[i]] = axes.height(s_.position[i]) + (specific > 0 ? s_.pressure[i] / specific : 0);
@@ -57,16 +58,14 @@ void Mps<D>::settle() {
   if (!(p_.method.order == Order::project_first ? even_out() : take_even_places())) return;
   find_neighbours();
   find_surface();
-  each_fluid(s_, [&](int i) {
-    s_.pressure[i] = std::max(0.0, still_pressure(p_, level[s_.id[i]], axes.height(s_.position[i])));
-  });
+  each_fluid(
+      s_, [&](int i) { s_.pressure[i] = std::max(0.0, specific * (level[s_.id[i]] - axes.height(s_.position[i]))); });
 }
 
 /// In the first steps they would even out by themselves: of the velocities with which they do so the pressure takes
 /// back only what compresses, and the rest would go round near the wall for seconds, at up to a twentieth of sqrt(g H).
-/// So they do it at rest under gravity alone, for the time in which a long wave goes as far as the liquid is deep, in
-/// steps whose velocities are forgotten.
-/// Returns whether they weren't even.
+/// So they do it at rest under what acts at t = 0, for the time in which a long wave goes as far as the liquid is deep,
+/// in steps whose velocities are forgotten. Returns whether they weren't even.
 template <int D>
 bool Mps<D>::even_out() {
   const double l0 = p_.particles.spacing, dt = step_cap(p_, wave_speed_);
@@ -74,13 +73,13 @@ bool Mps<D>::even_out() {
   if (std::all_of(change_.begin(), change_.end(), [&](const Vec<D>& by) { return by.norm() < 1e-6 * l0; }))
     return false;
   const Statistics totals = totals_;
-  const Motion motion = std::exchange(motion_, Motion({}));
+  settling_ = true;
   const long steps = std::lround(std::ceil(p_.fluid.depth / (p_.time.courant * l0)));
   for (long k = 0; k < steps; ++k) {
     step_project_first(dt);
     each_fluid(s_, [&](int i) { s_.velocity[i].setZero(); });
   }
-  motion_ = motion;
+  settling_ = false;
   totals_ = totals;
   return true;
 }
@@ -90,7 +89,7 @@ bool Mps<D>::even_out() {
 template <int D>
 bool Mps<D>::take_even_places() {
   const auto is_whole = [](const auto& part) { return part.inside.share == 1; };
-  const auto pools = pools_of(p_, *tank_);
+  const auto pools = pools_of(p_, *tank_, at_rest_);
   if (!s_.baffles && std::all_of(pools.begin(), pools.end(), [&](const Pool<D>& pool) {
         return std::all_of(pool.parts.begin(), pool.parts.end(), is_whole);
       }))

@@ -8,7 +8,7 @@ namespace seiche::solver {
 template <int D>
 void Mps<D>::step_move_first(double dt) {
   find_neighbours();
-  predict(dt);
+  predict(body(dt), dt);
   move_fluid([&](int i) { return Vec<D>(dt * s_.velocity[i]); });
   list_neighbours();
   separate();
@@ -27,12 +27,15 @@ template <int D>
 void Mps<D>::step_project_first(double dt) {
   find_neighbours();
   find_surface();
-  predict(dt);
+  const BodyForce<D> force = body(dt);
+  turn(force, dt);
+  predict(force, dt);
   solve_pressure(dt, p_.fluid.density);
   clip_pressure();
   correct(dt);
   shift_(near_.density, dt, s_, change_);
   move_fluid([&](int i) { return Vec<D>(dt * s_.velocity[i] + change_[i]); });
+  turn_gain(force);
   separate();
 }
 
@@ -71,17 +74,17 @@ void Mps<D>::find_neighbours() {
 template <int D>
 void Mps<D>::find_surface() {
   const Stage stage(totals_.seconds["density"]);
-  walls_->wet(near_.density, up_in_tank<D>(motion_, p_.gravity, s_.time), s_);
+  walls_->wet(near_.density, up(), s_);
   surface_(near_.density, s_);
 }
 
 /// u* = u + dt (nu Laplacian(u) + f), equations (12) and (13); f is gravity less the inertial forces of the tank's
 /// frame. Where the pressure equation balances f, that joins the velocity only after the projection.
 template <int D>
-void Mps<D>::predict(double dt) {
+void Mps<D>::predict(const BodyForce<D>& force, double dt) {
   const Stage stage(totals_.seconds["explicit"]);
   viscosity_(near_.laplacian, s_, forces_.viscous);
-  forces_.set_body(body_force<D>(motion_, p_.gravity, s_.time, dt), p_.fluid.density, s_);
+  forces_.set_body(force, p_.fluid.density, s_);
   const bool now = !walls_->slope(forces_);
   each_fluid(s_, [&](int i) {
     s_.velocity[i] += dt * (forces_.viscous[i] + (now ? forces_.body[i] : Vec<D>(Vec<D>::Zero())));
@@ -124,6 +127,21 @@ void Mps<D>::correct(double dt) {
     if (slope) change_[i] += dt * forces_.body[i];
     s_.velocity[i] += change_[i];
   });
+}
+
+/// Remembers the velocity that the step would leave were there the Coriolis force alone.
+template <int D>
+void Mps<D>::turn(const BodyForce<D>& force, double dt) {
+  if (!force.rotates) return;
+  resize_kept(turned_, s_.size());
+  each_fluid(s_, [&](int i) { turned_[i] = s_.velocity[i] + dt * (force.of_velocity * s_.velocity[i]); });
+}
+
+/// The Coriolis turn of what else the step has added to the velocity (body_force.hpp).
+template <int D>
+void Mps<D>::turn_gain(const BodyForce<D>& force) {
+  if (!force.rotates) return;
+  each_fluid(s_, [&](int i) { s_.velocity[i] += force.of_gain * (s_.velocity[i] - turned_[i]); });
 }
 
 template <int D>

@@ -13,10 +13,11 @@ void each_small_part(const Shape<D>& tank, const Vec<D>& centre, double side, co
                      F f) {
   const int all = D == 2 ? parts * parts : parts * parts * parts;
   const double part = side / parts;
+  const Vec<D> middle = axes(centre);
   for (int k = 0; k < all; ++k) {
     Vec<D> offset;
     for (int a = 0, rest = k; a < D; ++a, rest /= parts) offset[a] = (rest % parts + 0.5) * part - 0.5 * side;
-    const Vec<D> at = centre + axes.in_tank(offset);
+    const Vec<D> at = axes.in_tank(middle + offset);
     const double share = std::clamp(0.5 - tank.nearest(at).distance / part, 0.0, 1.0);
     if (share > 0) f(at, share / all);
   }
@@ -26,7 +27,7 @@ void each_small_part(const Shape<D>& tank, const Vec<D>& centre, double side, co
 
 template <int D>
 CellPart<D> part_inside(const Shape<D>& tank, const Vec<D>& centre, double side, const LevelAxes<D>& axes) {
-  const double beyond = tank.nearest(centre).distance, half_diagonal = 0.5 * std::sqrt(D) * side;
+  const double beyond = tank.nearest(centre).distance, half_diagonal = axes.half_diagonal(axes(centre), side);
   if (beyond <= -half_diagonal) return {1, centre};
   if (beyond >= half_diagonal) return {0, centre};
   double sum = 0;
@@ -44,7 +45,7 @@ template <int D>
 std::vector<CellPart<D>> parts_inside(const Shape<D>& tank, const Baffles<D>* baffles, const Vec<D>& centre,
                                       double side, const LevelAxes<D>& axes) {
   const CellPart<D> whole = part_inside(tank, centre, side, axes);
-  if (!baffles || whole.share == 0 || !baffles->is_near(centre, 0.5 * std::sqrt(D) * side)) return {whole};
+  if (!baffles || whole.share == 0 || !baffles->is_near(centre, axes.half_diagonal(axes(centre), side))) return {whole};
   std::vector<CellPart<D>> parts;
   Vecs<D> seen_from;
   each_small_part(tank, centre, side, axes, D == 2 ? 40 : 6, [&](const Vec<D>& r, double share) {

@@ -28,7 +28,7 @@ Vec<D> off_baffles(const Baffles<D>& baffles, Vec<D> r, double distance) {
 /// at the centroid of that, l0/10 off the wall or more. N l0^D is the liquid's volume within half a particle. The
 /// pressure is hydrostatic.
 template <int D>
-void add_liquid(const Parameters& p, const Shape<D>& tank, const Pool<D>& pool, State<D>& s) {
+void add_liquid(const Parameters& p, const Shape<D>& tank, const Pool<D>& pool, const Gravity& gravity, State<D>& s) {
   const double l0 = p.particles.spacing;
   CutCells<D> cut(s.baffles.get());
   long whole = 0;
@@ -44,7 +44,7 @@ void add_liquid(const Parameters& p, const Shape<D>& tank, const Pool<D>& pool, 
     Vec<D> r = inside.share < 1 ? off_the_wall(tank, inside.centroid, 0.1 * l0) : inside.centroid;
     if (s.baffles) r = off_baffles(*s.baffles, r, 0.1 * l0);
     s.add(r, Kind::fluid, Vec<D>::Zero());
-    s.pressure.back() = still_pressure(p, pool.level, pool.lattice.axes.height(r));
+    s.pressure.back() = still_pressure(p.fluid.density, gravity, pool.level, pool.lattice.axes.height(r));
   }
 }
 
@@ -67,15 +67,15 @@ void add_walls(const Parameters& p, const Shape<D>& tank, State<D>& s) {
 }  // namespace
 
 template <int D>
-State<D> fill_tank(const Parameters& p, const Shape<D>& tank) {
+State<D> fill_tank(const Parameters& p, const Shape<D>& tank, const RelativeEquilibrium& at_rest) {
   State<D> s;
   s.baffles = tank.baffles();
-  for (const Pool<D>& pool : pools_of(p, tank)) add_liquid(p, tank, pool, s);
+  for (const Pool<D>& pool : pools_of(p, tank, at_rest)) add_liquid(p, tank, pool, at_rest.gravity, s);
   add_walls(p, tank, s);
   return s;
 }
 
-template State<2> fill_tank(const Parameters&, const Shape<2>&);
-template State<3> fill_tank(const Parameters&, const Shape<3>&);
+template State<2> fill_tank(const Parameters&, const Shape<2>&, const RelativeEquilibrium&);
+template State<3> fill_tank(const Parameters&, const Shape<3>&, const RelativeEquilibrium&);
 
 }  // namespace seiche::solver

@@ -5,6 +5,7 @@
 #include "solver/operators/volume.hpp"
 #include "solver/parameters.hpp"
 #include "solver/particles/state.hpp"
+#include "solver/tank/level_axes.hpp"
 #include "solver/tank/shape.hpp"
 
 namespace seiche::solver {
@@ -20,14 +21,21 @@ inline double longest_support(const Parameters::Method& m) {
 inline int wall_layers(const Parameters::Method& m) { return 1 + static_cast<int>(std::floor(longest_support(m))); }
 
 /// rho g (level - y), y the height along the level's axes [Pa]
-inline double still_pressure(const Parameters& p, double level, double y) {
-  return p.fluid.density * p.gravity.size() * (level - y);
+inline double still_pressure(double density, const Gravity& gravity, double level, double y) {
+  return density * gravity.size() * (level - y);
 }
 
-/// Fluid, wall and dummy particles of a tank at rest. Fluid has the first ids, then walls, then dummies. A particle
-/// beyond a wall has its normal, out of the tank, or none where it is beyond an edge.
+/// Fluid, wall and dummy particles of a tank whose liquid is at rest under what acts in it. Fluid has the first ids,
+/// then walls, then dummies. A particle beyond a wall has its normal, out of the tank, or none where it is beyond an
+/// edge.
 template <int D>
-State<D> fill_tank(const Parameters& p, const Shape<D>& tank);
+State<D> fill_tank(const Parameters& p, const Shape<D>& tank, const RelativeEquilibrium& at_rest);
+
+/// Under gravity alone.
+template <int D>
+State<D> fill_tank(const Parameters& p, const Shape<D>& tank) {
+  return fill_tank<D>(p, tank, {p.gravity});
+}
 
 template <int D>
 State<D> fill_tank(const Parameters& p) {

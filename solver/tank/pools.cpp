@@ -35,20 +35,22 @@ bool is_open_between(const Shape<D>& tank, const Baffles<D>* baffles, const Vec<
 }
 
 /// None of what lies below a level: its lattice and the level alone.
-/// @param depth of the level above the lowest point of the tank [m]
+template <int D>
+Pool<D> empty_pool(const Parameters& p, const LevelAxes<D>& axes, const Bounds<D>& bounds, double level) {
+  return {LiquidLattice<D>(bounds, level, p.particles.spacing, axes), level, 0, {}};
+}
+
+/// The same of a level above the lowest point of a tank whose liquid is at rest under gravity alone.
 template <int D>
 Pool<D> empty_pool(const Parameters& p, const Shape<D>& tank, double depth) {
   const LevelAxes<D> axes(p.gravity);
   const Bounds<D> bounds = axes.bounds_of(tank);
-  const double level = bounds.low[1] + depth;
-  return {LiquidLattice<D>(bounds, level, p.particles.spacing, axes), level, 0, {}};
+  return empty_pool(p, axes, bounds, bounds.low[1] + depth);
 }
 
-}  // namespace
-
+/// The cells below the level, without their volume.
 template <int D>
-Pool<D> pool_below(const Parameters& p, const Shape<D>& tank, double depth) {
-  Pool<D> pool = empty_pool(p, tank, depth);
+Pool<D> filled(Pool<D> pool, const Parameters& p, const Shape<D>& tank) {
   const LevelAxes<D>& axes = pool.lattice.axes;
   const Bounds<D> bounds = axes.bounds_of(tank);
   const double end = p.fluid.column > 0 ? bounds.low[0] + p.fluid.column : bounds.high[0];
@@ -62,6 +64,29 @@ Pool<D> pool_below(const Parameters& p, const Shape<D>& tank, double depth) {
       ++number;
     }
   });
+  return pool;
+}
+
+/// The pool about a point that holds a volume, by bisection of its level.
+template <int D>
+Pool<D> pool_holding(const Parameters& p, const Shape<D>& tank, const LevelAxes<D>& axes, const Vec<D>& point,
+                     double volume) {
+  const Bounds<D> bounds = axes.bounds_of(tank);
+  double low = axes.height(point), high = bounds.high[1];
+  Pool<D> pool = empty_pool(p, axes, bounds, high);
+  while (high - low > 1e-4 * p.particles.spacing) {
+    const double level = 0.5 * (low + high);
+    pool = pool_about(filled(empty_pool(p, axes, bounds, level), p, tank), tank, point);
+    (pool.volume < volume ? low : high) = level;
+  }
+  return pool;
+}
+
+}  // namespace
+
+template <int D>
+Pool<D> pool_below(const Parameters& p, const Shape<D>& tank, double depth) {
+  Pool<D> pool = filled(empty_pool(p, tank, depth), p, tank);
   pool.volume = volume_below(on_level_axes(tank.surface(), p.gravity), pool.level);
   return pool;
 }
@@ -114,6 +139,25 @@ std::vector<Pool<D>> pools_of(const Parameters& p, const Shape<D>& tank) {
 }
 
 template <int D>
+std::vector<Pool<D>> pools_of(const Parameters& p, const Shape<D>& tank, const RelativeEquilibrium& at_rest) {
+  if (at_rest == RelativeEquilibrium{p.gravity}) return pools_of(p, tank);
+  const LevelAxes<D> axes(at_rest);
+  std::vector<Pool<D>> pools;
+  if (p.fluid.seeds.empty()) {
+    const double volume = liquid_volume(p);
+    const double level = level_holding(on_level_axes(tank.surface(), at_rest), volume);
+    pools.push_back(filled(empty_pool(p, axes, axes.bounds_of(tank), level), p, tank));
+    pools.back().volume = volume;
+  }
+  for (const auto& seed : p.fluid.seeds) {
+    const Vec<D> point = point_of<D>(seed);
+    const double volume = pool_about(pool_below(p, tank, seed.depth), tank, point).volume;
+    pools.push_back(pool_holding(p, tank, axes, point, volume));
+  }
+  return pools;
+}
+
+template <int D>
 std::vector<Pool<D>> levels_of(const Parameters& p, const Shape<D>& tank) {
   return p.fluid.seeds.empty() ? std::vector{empty_pool(p, tank, p.fluid.depth)} : pools_of(p, tank);
 }
@@ -159,12 +203,14 @@ double level_beside(const std::vector<Pool<D>>& pools, const Vec<D>& r) {
 template Pool<2> pool_below(const Parameters&, const Shape<2>&, double);
 template Pool<2> pool_about(Pool<2>, const Shape<2>&, const Vec<2>&);
 template std::vector<Pool<2>> pools_of(const Parameters&, const Shape<2>&);
+template std::vector<Pool<2>> pools_of(const Parameters&, const Shape<2>&, const RelativeEquilibrium&);
 template std::vector<Pool<2>> levels_of(const Parameters&, const Shape<2>&);
 template bool meet(const Pool<2>&, const Pool<2>&, const Baffles<2>*);
 template double level_beside(const std::vector<Pool<2>>&, const Vec<2>&);
 template Pool<3> pool_below(const Parameters&, const Shape<3>&, double);
 template Pool<3> pool_about(Pool<3>, const Shape<3>&, const Vec<3>&);
 template std::vector<Pool<3>> pools_of(const Parameters&, const Shape<3>&);
+template std::vector<Pool<3>> pools_of(const Parameters&, const Shape<3>&, const RelativeEquilibrium&);
 template std::vector<Pool<3>> levels_of(const Parameters&, const Shape<3>&);
 template bool meet(const Pool<3>&, const Pool<3>&, const Baffles<3>*);
 template double level_beside(const std::vector<Pool<3>>&, const Vec<3>&);

@@ -42,7 +42,11 @@ Vec<D> point_of(const Parameters::Fluid::Seed& seed) {
 template <int D>
 std::vector<Pool<D>> pools_of(const Parameters& p, const Shape<D>& tank);
 
-/// The same where levels alone are asked for: one without parts where there are no seeds.
+/// The same liquid at rest under what acts at t = 0: as much of it in each pool.
+template <int D>
+std::vector<Pool<D>> pools_of(const Parameters& p, const Shape<D>& tank, const RelativeEquilibrium& at_rest);
+
+/// Those of pools_of(p, tank) where levels alone are asked for: one without parts where there are no seeds.
 template <int D>
 std::vector<Pool<D>> levels_of(const Parameters& p, const Shape<D>& tank);
 

@@ -56,7 +56,10 @@ void gradient(StirredTank& t) {
 
 void shift(StirredTank& t) { particle_shift(t.near_pairs, t.ref.n0, 0.1, l0, t.near, t.s, t.vectors); }
 
-void separation(StirredTank& t) { collide_close_pairs(0.8 * l0, l0, t.near, t.list, t.s, t.collisions, t.vectors); }
+void separation(StirredTank& t) {
+  collide_close_pairs(0.8 * l0, l0, t.near, t.list, t.s, t.collisions);
+  collide_with_walls(0.8 * l0, l0, t.near, t.collisions.at_wall, t.list, t.s);
+}
 
 void sizes(benchmark::internal::Benchmark* of) {
   of->ArgNames({"particles", "threads"})->ArgsProduct({{12000, 200000}, {1, 2}});

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 
+#include "solver/operators/close_pairs.hpp"
 #include "solver/operators/volume.hpp"
 #include "solver/pressure/source.hpp"
 #include "tests/unit/solver/still_tank.hpp"
@@ -33,7 +34,7 @@ struct StirredTank : solver::test::StillTank<2> {
   solver::PressureSystem<D> pressure;
   solver::Scalars divergence, excess;
   solver::Vecs<D> vectors;
-  std::vector<int> collisions;
+  solver::Collisions<D> collisions;
   int fluid = 0;
 
   explicit StirredTank(int particles) : StillTank<D>(tank_of(particles)) {
@@ -53,7 +54,6 @@ struct StirredTank : solver::test::StillTank<2> {
     slopes = everywhere();
     divergence = excess = solver::Scalars(s.size());
     vectors.resize(s.size());
-    collisions.resize(s.size());
     assemble();
   }
 

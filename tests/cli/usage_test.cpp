@@ -1,6 +1,7 @@
 // What the program says and exits with before it computes anything.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "tests/cli/program.hpp"
@@ -103,6 +104,8 @@ TEST(Usage, EachBadSceneExitsWith2AndNamesTheFault) {
        "force_x", "force_y", "kinetic_energy", "potential_energy", "x_mass", "y_mass", "'eta_left'?"}));
   EXPECT_TRUE(test::tells(error_of("[look]\ncurves = \"eta_left, p_roof\"\n"),
                           {"x.toml:2:10", "[look]", "curves", "'p_roof'"}));
+  EXPECT_TRUE(test::tells(error_of("[motion]\ntype = \"surge\"\ncolumns = \"roll\"\n"),
+                          {"x.toml: ", "surge", "motion.columns", "motion.type = file"}));
   EXPECT_TRUE(test::tells(error_of("[look]\ncurves = \"a, b, c, d\"\n"),
                           {"x.toml:2:10", "[look]", "curves", "'a", "d'", "3", "eta_left", "p_left_bottom"}));
   write_text(scratch / "bad.csv", "t,eta_left\n0,0\n0.1,wet\n");
@@ -133,6 +136,18 @@ TEST(Usage, CheckSummarisesAGoodScene) {
   const Result result = seiche(scratch.folder(), {"check", quick});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_NE(result.out.find("300 fluid particles"), std::string::npos) << result.out;
+}
+
+TEST(Usage, CheckDrawsAGoodSceneAndNoOther) {
+  const Scratch scratch;
+  const Result drawn = seiche(scratch.folder(), {"check", quick, "--picture", "start.png"});
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_TRUE(test::tells(drawn.out, {"start.png"}));
+  EXPECT_EQ(read_file(scratch / "start.png").substr(1, 3), "PNG");
+  write_text(scratch / "x.toml", "[fluid]\ndepth = 0.5\n");
+  EXPECT_EQ(seiche(scratch.folder(), {"check", "x.toml", "--picture", "bad.png"}).code, 2);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "bad.png"));
+  EXPECT_EQ(seiche(scratch.folder(), {"check", quick, "--picture", "x.toml/start.png"}).code, 1);
 }
 
 TEST(Usage, ADryRunPrintsAWholeSceneAndWritesNothing) {

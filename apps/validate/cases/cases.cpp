@@ -14,6 +14,7 @@ std::vector<Case> all_cases() {
       {"tanks-3d", "the same in 3-D: a sphere, cylinders, a membrane tank, an STL file", tanks_3d},
       {"tanks-moved", "such tanks that roll, surge and shake: speed in the lab, force against theory, leaks",
        tanks_moved},
+      {"motions", "an orbit, steady yaw and a diagonal push in 3-D against theory", motions},
       {"spheric10", "a lateral impact against SPHERIC's benchmark 10: when it comes, and the pressure before",
        spheric10},
       {"paper", "which kernels of the paper's own scheme last", paper},

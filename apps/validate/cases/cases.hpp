@@ -17,6 +17,7 @@ Findings paper(Bench& bench);
 Findings tanks(Bench& bench);
 Findings tanks_3d(Bench& bench);
 Findings tanks_moved(Bench& bench);
+Findings motions(Bench& bench);
 Findings spheric10(Bench& bench);
 
 }  // namespace seiche::apps::validate

@@ -25,10 +25,11 @@ Motion moving(bool rolling) {
 template <int D>
 struct Thrown {
   Vec<D> at, velocity;
+  double gravity = g;
 
   Vec<D> position(const Motion& motion, double t) const {
     const RigidState tank = motion.state(t);
-    Vec<3> lab = -0.5 * g * t * t * Vec<3>::Unit(1);
+    Vec<3> lab = -0.5 * gravity * t * t * Vec<3>::Unit(1);
     lab.head<D>() += at + t * velocity;
     return (tank.pivot + tank.orientation.conjugate() * (lab - tank.pivot - tank.displacement)).template head<D>();
   }
@@ -73,6 +74,29 @@ TEST(BodyForce, CarriesAFreeBodyAlongItsParabolaInAllSixDegreesOfFreedom) {
   m.pivot_x = 0.3;
   m.pivot_y = -0.1;
   expect_first_order(Motion(m), Thrown<3>{{0.1, 0.2, 0.3}, {0.4, 1.5, -0.3}});
+}
+
+// As the stabilised order steps: a velocity belongs to the middle between two positions.
+TEST(BodyForce, CarriesAFreeBodyAlongItsLineToSecondOrderInATankThatSpins) {
+  Parameters::Motion m{.type = MotionType::file, .pivot_x = 0.3, .pivot_y = -0.1};
+  m.series.time = {0, 0.4, 0.8, 1.2};
+  m.series[DegreeOfFreedom::roll] = {0, 80, 160, 240};
+  const Motion motion(m);
+  const Thrown<2> thrown{{0.1, 0.2}, {0.4, 0.5}, 0};
+  const auto error = [&](int steps) {
+    const double dt = 0.5 / steps;
+    Vec<2> r = thrown.position(motion, 0.1), u = thrown.speed(motion, 0.1 - 0.5 * dt);
+    for (int k = 0; k < steps; ++k) {
+      const auto force = body_force<2>(motion, 0, 0.1 + k * dt, dt);
+      const Vec<2> turned = u + dt * (force.of_velocity * u);
+      u += dt * force(r, u);
+      r += dt * u;
+      u += force.of_gain * (u - turned);
+    }
+    return (r - thrown.position(motion, 0.6)).norm();
+  };
+  EXPECT_LT(error(100), 1e-3);
+  EXPECT_NEAR(std::log2(error(100) / error(200)), 2, 0.1);
 }
 
 TEST(BodyForce, GivesAFreeBodyItsExactVelocityInATankThatOnlyTranslates) {

@@ -11,9 +11,10 @@ using test::l0;
 template <int D>
 void collide(State<D>& s, double distance = 0.8 * l0, std::uint8_t near_surface = 0) {
   const auto list = test::listed(s, 2 * l0);
-  std::vector<int> collisions(s.size());
-  Vecs<D> change(s.size());
-  collide_close_pairs(distance, l0, std::vector<std::uint8_t>(s.size(), near_surface), list, s, collisions, change);
+  Collisions<D> buffers;
+  const std::vector<std::uint8_t> near(s.size(), near_surface);
+  collide_close_pairs(distance, l0, near, list, s, buffers);
+  collide_with_walls(distance, l0, near, buffers.at_wall, list, s);
 }
 
 /// Two particles `apart` along x, the second with velocity `u`, after their collision, in the order of their making.
@@ -48,6 +49,60 @@ TYPED_TEST(Collision, WithAWallTakesAllOfIt) {
     EXPECT_TRUE(s.velocity[0].isZero());
     EXPECT_LT((s.velocity[1] - across).norm(), 1e-15);
   }
+}
+
+/// Velocity after its collisions of liquid with velocity u at height y over a wall of particles l0/2 below y = 0, the
+/// particle that is nearest `beside` along the wall.
+template <int D>
+Vec<D> over_a_wall(double y, double beside, const Vec<D>& u, std::uint8_t near_surface = 0) {
+  State<D> s;
+  const int n = 3;
+  for (int i = -n; i <= n; ++i)
+    for (int k = D == 3 ? -n : 0; k <= (D == 3 ? n : 0); ++k) {
+      Vec<D> r = Vec<D>::Zero();
+      r[0] = i * l0, r[1] = -0.5 * l0;
+      if constexpr (D == 3) r[2] = k * l0;
+      s.add(r, Kind::wall, -Vec<D>::Unit(1));
+    }
+  Vec<D> r = Vec<D>::Constant(beside);
+  r[1] = y;
+  s.add(r, Kind::fluid, Vec<D>::Zero());
+  s.velocity.back() = u;
+  collide(s, 0.8 * l0, near_surface);
+  for (std::size_t i = 0; i < s.size(); ++i)
+    if (s.kind[i] == Kind::fluid) return s.velocity[i];
+  return {};
+}
+
+TYPED_TEST(Collision, WithAWallLeavesTheVelocityAlongIt) {
+  constexpr int D = TypeParam::D;
+  const Vec<D> along = Vec<D>::Unit(0), down = -Vec<D>::Unit(1);
+  for (double beside : {0.0, 0.2 * l0, 0.5 * l0})
+    for (double y : {-0.2 * l0, 0.1 * l0, 0.29 * l0}) {
+      EXPECT_LT((over_a_wall<D>(y, beside, 3 * along + down) - 3 * along).norm(), 1e-15) << y << ", " << beside;
+      EXPECT_EQ(over_a_wall<D>(y, beside, 3 * along), Vec<D>(3 * along)) << y << ", " << beside;
+      EXPECT_EQ(over_a_wall<D>(y, beside, along - down), Vec<D>(along - down)) << y << ", " << beside;
+    }
+}
+
+TYPED_TEST(Collision, WithAWallReachesEquallyFarAllAlongIt) {
+  constexpr int D = TypeParam::D;
+  const Vec<D> along = Vec<D>::Unit(0), down = -Vec<D>::Unit(1), u = along + down;
+  for (double beside : {0.0, 0.2 * l0, 0.5 * l0}) {
+    EXPECT_LT((over_a_wall<D>(0.29 * l0, beside, u) - along).norm(), 1e-15) << beside;
+    EXPECT_EQ(over_a_wall<D>(0.31 * l0, beside, u), u) << beside;
+  }
+}
+
+// Over a wall particle it loses what goes towards that, between them some of what goes along, too.
+TYPED_TEST(Collision, WithAWallNearTheSurfaceIsWithItsPoints) {
+  constexpr int D = TypeParam::D;
+  const Vec<D> along = Vec<D>::Unit(0), down = -Vec<D>::Unit(1), u = along + down;
+  EXPECT_LT((over_a_wall<D>(0.49 * l0, 0, u, 1) - along).norm(), 1e-15);
+  EXPECT_EQ(over_a_wall<D>(0.51 * l0, 0, u, 1), u);
+  const Vec<D> between = over_a_wall<D>(0.1 * l0, 0.5 * l0, u, 1);
+  EXPECT_LT(between[0], 0.75);
+  EXPECT_GT(between[1], -0.75);
 }
 
 TYPED_TEST(Collision, LeavesPairsThatPartOrAreFarAlone) {

@@ -22,7 +22,7 @@ TEST(SensorColumns, OfTheDefaults) {
   EXPECT_EQ(test::headers(sensor_columns(p)),
             (Names{"p_left_bottom [Pa]", "eta_left [m]", "eta_right [m]", "force_x [N]", "force_y [N]", "force_z [N]",
                    "moment [N m]", "kinetic_energy [J]", "potential_energy [J]", "volume [m^3]", "x_mass [m]",
-                   "y_mass [m]", "z_mass [m]"}));
+                   "y_mass [m]", "z_mass [m]", "swirl [kg m^2/s]"}));
 }
 
 TEST(SensorColumns, OfAListInItsOrder) {

@@ -54,6 +54,23 @@ TEST(LevelAxes, BoundATank) {
   EXPECT_NEAR(bounds.size()[0], 0.2 * c + 0.15 * s, 1e-12);
 }
 
+TEST(LevelAxes, OfLiquidThatTurnsHaveItsParaboloidsLevel) {
+  const RelativeEquilibrium turning{9.81, 5, {0.1, 0, -0.2}};
+  const LevelAxes<3> axes(turning);
+  const double bend = 5 * 5 / (2 * 9.81);
+  for (const Vec<3>& r : {Vec<3>(0.1, 0.2, 0.3), Vec<3>(-0.2, 0.1, -0.3), Vec<3>(0.4, 0, 0.1)}) {
+    const double squared = std::pow(r[0] - 0.1, 2) + std::pow(r[2] + 0.2, 2);
+    EXPECT_NEAR(axes.height(r), r[1] - bend * squared, 1e-14);
+    EXPECT_LT((axes.in_tank(axes(r)) - r).norm(), 1e-15);
+  }
+}
+
+TEST(LevelAxes, HoldAsMuchOfLiquidThatTurns) {
+  const SurfaceMesh wall = sphere(0.25).surface();
+  const SurfaceMesh bent = on_level_axes(wall, RelativeEquilibrium{Gravity({2, -3, 6}), 4, {0.1, 0, 0}});
+  EXPECT_NEAR(volume_of(bent), volume_of(wall), 1e-3 * volume_of(wall));
+}
+
 TEST(LevelAxes, HoldAsMuchInASphereHoweverItLeans) {
   const SurfaceMesh wall = sphere(0.25).surface(), turned = on_level_axes(wall, Gravity({2, -3, 6}));
   EXPECT_NEAR(volume_of(turned), volume_of(wall), 1e-12);
