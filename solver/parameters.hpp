@@ -154,7 +154,9 @@ struct Parameters {
     double radius_density = 2.6;    ///< r_e of the number density and the divergence
     double radius_gradient = 2.6;   ///< r_e of the gradient
     double radius_laplacian = 2.6;  ///< r_e of the Laplacian
-    double surface_beta = 0.97;     ///< beta of equation (11)
+    /// beta of equation (11), midway between the shares of n0 that the two topmost layers of a lattice have, 0.67 and
+    /// 0.98 with KF3 in 2-D: disorder takes neither of them across.
+    double surface_beta = 0.82;
     Order order = Order::project_first;
     SourceTerm source = SourceTerm::mixed;
     GradientModel gradient = GradientModel::corrected;

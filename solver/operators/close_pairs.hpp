@@ -92,11 +92,10 @@ void collide_close_pairs(double distance, double l0, const std::vector<std::uint
   for (int i = 0; i < size; ++i) s.velocity[i] += change[i];
 }
 
-/// The same at walls: liquid closer to one than `distance` less the l0/2 that wall particles lie behind it loses its
-/// velocity against it, and keeps what it has along it, as of a plane and not of the points that stand for it. Of
-/// several wall particles the mean counts: a projection's, which leaves energy no way but down. Where a wall particle
-/// has no normal, in a corner, the line to it takes its place; so it does near the free surface, up to l0: no pressure
-/// keeps single particles there from sliding up the wall, and its points hold them.
+/// The same at walls: liquid closer to one than `distance`, l0 near the free surface, less the l0/2 that wall particles
+/// lie behind it loses its velocity against it, and keeps what it has along it, as of a plane and not of the points that
+/// stand for it. Of several wall particles the mean counts: a projection's, which leaves energy no way but down. Where a
+/// wall particle has no normal, in a corner, the line to it takes its place.
 /// @param at_wall 1 where a wall particle may be near enough
 template <int D>
 void collide_with_walls(double distance, double l0, const std::vector<std::uint8_t>& near,
@@ -106,15 +105,14 @@ void collide_with_walls(double distance, double l0, const std::vector<std::uint8
   for (int i = 0; i < static_cast<int>(s.size()); ++i) {
     if (!at_wall[i]) continue;
     const double reach = near[i] ? std::max(distance, l0) : distance;
-    const double furthest = reach * reach + (near[i] ? 0 : beside);
     Vec<D> sum = Vec<D>::Zero();
     int walls = 0;
     for (int j : list[i]) {
       if (s.kind[j] == Kind::fluid) continue;
       const Vec<D> rij = s.position[j] - s.position[i];
       const double r2 = rij.squaredNorm();
-      if (r2 >= furthest) continue;
-      Vec<D> normal = near[i] ? Vec<D>(Vec<D>::Zero()) : s.normal_from(s.position[i], j);
+      if (r2 >= reach * reach + beside) continue;
+      Vec<D> normal = s.normal_from(s.position[i], j);
       if (normal.isZero()) normal = rij / std::sqrt(r2);
       const double depth = rij.dot(normal), against = s.velocity[i].dot(normal);
       if (against <= 0 || depth <= 0 || depth >= reach || r2 - depth * depth > beside) continue;

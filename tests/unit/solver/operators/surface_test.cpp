@@ -2,6 +2,7 @@
 
 #include "solver/operators/density.hpp"
 #include "solver/operators/kernels.hpp"
+#include "solver/parameters.hpp"
 #include "tests/unit/solver/cloud.hpp"
 
 // The free surface of a block of 9 particles along each axis with nothing around it.
@@ -55,6 +56,21 @@ TYPED_TEST(Surface, ByDensityAndCountIsTheOuterLayer) {
   Block<TypeParam::D> b(2.1);
   b.mark(0.97, 0.85);
   b.expect_flags([&](int i) { return b.depth(i).first == 0; });
+}
+
+TYPED_TEST(Surface, OfThePresetIsTheOuterLayerAlsoOfADisorderedBlock) {
+  constexpr int D = TypeParam::D;
+  const Parameters::Method m;
+  for (const double disorder : {0.0, 0.15 * l0}) {
+    Block<D> b(m.radius_density);
+    const State<D> lattice = b.s;
+    std::mt19937_64 random(1);
+    for (Vec<D>& r : b.s.position) r += test::random_vec<D>(random, -disorder, disorder);
+    number_density(test::measured(b.w, b.list, b.s), b.s, b.n, b.count);
+    b.mark(m.surface_beta, count_share);
+    b.s.position = lattice.position;
+    b.expect_flags([&](int i) { return b.depth(i).first == 0; });
+  }
 }
 
 TEST(Surface2D, WithALongReachIsTheOuterLayerAndTheCornersBelowIt) {
