@@ -112,8 +112,8 @@ case "${1:-}" in
     build/seiche run scenes/pan2008.toml --overwrite
     ;;
   test)
-    install_packages $build_packages $test_packages
-    build ON OFF
+    install_packages $build_packages $test_packages $bench_packages
+    build ON ON  # benchmarks are compiled, so that they go on compiling, and not run
     ctest --preset release
     ;;
   sanitize)

@@ -80,18 +80,25 @@ void add_compare(CLI::App& app, compare::Request& request, int& code) {
   verb->callback([&request, &code] { code = compare::compare(request); });
 }
 
-void add_check(CLI::App& app, std::string& scene, std::string& picture) {
+struct CheckRequest {
+  std::string scene;  ///< scene file
+  std::vector<Override> overrides;
+  std::string picture;  ///< file to draw the start into; empty: none
+};
+
+void add_check(CLI::App& app, CheckRequest& request) {
   CLI::App* verb =
       app.add_subcommand("check", "Look for mistakes in a scene")->group("Verbs")->footer(help::check_footer);
-  verb->add_option("scene", scene, "scene file")->required()->type_name("SCENE");
-  verb->add_option("--picture", picture, "draw the tank as a run starts, and the axes of its motion, into this file")
+  verb->add_option("scene", request.scene, "scene file")->required()->type_name("SCENE");
+  add_settings(*verb, request.overrides);
+  verb->add_option("--picture", request.picture, "draw the tank as a run starts, and the axes of its motion, into this file")
       ->type_name("FILE.png");
-  verb->callback([&scene, &picture] {
-    const Scene read = read_scene(scene, {});
-    fmt::print("{}", check_text(read));
-    if (picture.empty()) return;
-    draw_start(read, picture);
-    fmt::print("  picture {}\n", picture);
+  verb->callback([&request] {
+    const Scene scene = read_scene(request.scene, request.overrides);
+    fmt::print("{}", check_text(scene));
+    if (request.picture.empty()) return;
+    draw_start(scene, request.picture);
+    fmt::print("  picture {}\n", request.picture);
   });
 }
 
@@ -154,7 +161,8 @@ int parse(int argc, char** argv) {
   compare::Request comparison;
   ReplayRequest drawing, encoding;
   validate::Request validation;
-  std::string checked, picture;
+  CheckRequest checked;
+  std::string picture;
   CLI::App app(help::program, "seiche");
   app.get_formatter()->label("SUBCOMMAND", "VERB");
   app.failure_message(usage_message);
@@ -165,7 +173,7 @@ int parse(int argc, char** argv) {
   add_compare(app, comparison, code);
   add_render(app, drawing, code);
   add_movie(app, encoding, code);
-  add_check(app, checked, picture);
+  add_check(app, checked);
   add_schema(app);
   add_info(app);
   add_kernels(app, picture);

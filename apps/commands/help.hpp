@@ -81,7 +81,9 @@ movie that is replaced stays until the new one is whole.)";
 constexpr const char* check_footer = R"(Examples:
   seiche check scenes/quick.toml
   seiche check scenes/ship.toml --picture ship.png
+  seiche check scenes/pan2008.toml --spacing 0.0025 --set fluid.depth=0.12
 
+The scene is taken as run takes it with the same flags.
 All mistakes are listed, each with its file, line and column. Exits with 0 if there is none, else with 2.)";
 
 constexpr const char* schema_footer = R"(Examples:

@@ -95,7 +95,7 @@ void collide_close_pairs(double distance, double l0, const std::vector<std::uint
 /// The same at walls: liquid closer to one than `distance`, l0 near the free surface, less the l0/2 that wall particles
 /// lie behind it loses its velocity against it, and keeps what it has along it, as of a plane and not of the points that
 /// stand for it. Of several wall particles the mean counts: a projection's, which leaves energy no way but down. Where a
-/// wall particle has no normal, in a corner, the line to it takes its place.
+/// wall particle has no normal, in a corner, the line to it takes its place. Beside the rim of a baffle nothing is stopped.
 /// @param at_wall 1 where a wall particle may be near enough
 template <int D>
 void collide_with_walls(double distance, double l0, const std::vector<std::uint8_t>& near,
@@ -116,6 +116,7 @@ void collide_with_walls(double distance, double l0, const std::vector<std::uint8
       if (normal.isZero()) normal = rij / std::sqrt(r2);
       const double depth = rij.dot(normal), against = s.velocity[i].dot(normal);
       if (against <= 0 || depth <= 0 || depth >= reach || r2 - depth * depth > beside) continue;
+      if (!s.is_before(s.position[i], j)) continue;
       sum += against * normal;
       ++walls;
     }

@@ -38,7 +38,7 @@ class CellGrid {
   /// Stable counting sort: `order` lists the points by cell; cell c holds order[start[c]] .. order[start[c+1] - 1].
   void sort(const Vecs<D>& r, std::vector<int>& order) {
     const int n = static_cast<int>(r.size());
-    start_.assign(cells() + 1, 0);
+    assign_kept(start_, cells() + 1, 0);
     resize_kept(cell_of_, n);
     resize_kept(order, n);
 #pragma omp parallel for schedule(static)

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "solver/particles/kept.hpp"
 #include "solver/pressure/boundary.hpp"
 #include "solver/pressure/sparse_matrix.hpp"
 
@@ -19,7 +20,7 @@ class PressureSystem {
   template <class Boundary>
   void assemble(const Pairs<D>& pairs, double diagonal, const Boundary& boundary, const State<D>& s) {
     const int size = static_cast<int>(s.size());
-    row_.assign(size, -1);
+    assign_kept(row_, size, -1);
     particle_.clear();
     for (int i = 0; i < size; ++i)
       if (boundary.unknown(i)) {
@@ -27,7 +28,7 @@ class PressureSystem {
         particle_.push_back(i);
       }
     const int rows = static_cast<int>(particle_.size());
-    start_.assign(rows + 1, 0);
+    assign_kept(start_, rows + 1, 0);
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < rows; ++k) {
       int count = 1;

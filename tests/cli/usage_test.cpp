@@ -138,6 +138,16 @@ TEST(Usage, CheckSummarisesAGoodScene) {
   EXPECT_NE(result.out.find("300 fluid particles"), std::string::npos) << result.out;
 }
 
+TEST(Usage, CheckTakesTheFlagsOfRun) {
+  const Scratch scratch;
+  const Result finer = seiche(scratch.folder(), {"check", quick, "--spacing", "0.01"});
+  EXPECT_EQ(finer.code, 0) << finer.err;
+  EXPECT_NE(finer.out.find("1200 fluid particles"), std::string::npos) << finer.out;
+  const Result full = seiche(scratch.folder(), {"check", quick, "--set", "fluid.depth=9"});
+  EXPECT_EQ(full.code, 2);
+  EXPECT_TRUE(test::tells(full.err, {"fluid.depth", "9"}));
+}
+
 TEST(Usage, CheckDrawsAGoodSceneAndNoOther) {
   const Scratch scratch;
   const Result drawn = seiche(scratch.folder(), {"check", quick, "--picture", "start.png"});

@@ -77,14 +77,26 @@ TEST(StillTank, KeepsTwoLevelsBesideADivider) {
   EXPECT_LT(worst.speed, 0.015);
 }
 
-// A box that leans by 20 degrees is a box turned by 20 degrees.
+// A box that leans is a box turned. Where particles of the second layer are taken for the surface now and then, some are
+// pushed up the walls.
 TEST(StillTank, KeepsItsLevelWhereItLeans) {
-  Parameters p = still_tank(0.5, 0.25, 0.3, 0.01);
-  const double angle = M_PI / 9, c = std::cos(angle), s = std::sin(angle);
-  p.gravity = Gravity({-9.81 * s, -9.81 * c, 0});
-  const Worst worst = watch_any(p, 1, 2, [&](const Float3& r) { return p.fluid.depth - (s * r[0] + c * r[1]); });
-  EXPECT_LT(worst.pressure_error, 0.0015);
-  EXPECT_LT(worst.speed, 0.02);
+  for (const double angle : {M_PI / 9, M_PI / 4}) {
+    Parameters p = still_tank(0.5, 0.25, 0.3, 0.01);
+    const double c = std::cos(angle), s = std::sin(angle);
+    p.gravity = Gravity({-9.81 * s, -9.81 * c, 0});
+    const Worst worst = watch_any(p, 1, 2, [&](const Float3& r) { return p.fluid.depth - (s * r[0] + c * r[1]); });
+    EXPECT_LT(worst.pressure_error, 0.0015);
+    EXPECT_LT(worst.speed, 0.02);
+  }
+}
+
+TEST(StillTank, KeepsTheParticlesOfItsSurface) {
+  const auto simulation = make_simulation(still_tank(0.5, 0.2, 0.3, 0.01), 0);
+  std::vector<std::uint8_t> first;
+  run(*simulation, 0.1, 2, [&](const Frame& frame) {
+    if (first.empty()) first = frame.free_surface;
+    EXPECT_EQ(frame.free_surface, first) << frame.time << " s";
+  });
 }
 
 TEST(StillTank, IsStillInASphere) {
@@ -143,13 +155,16 @@ TEST(Baffle, HoldsTwoLevelsIn3D) {
   EXPECT_EQ(simulation->statistics().leaked, 0);
 }
 
+// By Torricelli's law, with a contraction of 0.6, what runs out in a second lowers the level by 33 mm, to 7 mm above the
+// middle of the hole: 59 particles, or 475 cm^3. The hole is only two spacings wide.
 TEST(Baffle, LetsLiquidThroughItsHole) {
   Parameters p = dammed();
   p.tank.baffles[0].holes = {{0.12, 0.06, 0.06, 0.02}};
   const auto simulation = make_simulation(p, 0);
   long passed = 0;
-  run(*simulation, 0.1, 0.3, [&](const Frame& frame) { passed = right_of_plate(frame); });
-  EXPECT_GT(passed, 10);
+  run(*simulation, 0.1, 1, [&](const Frame& frame) { passed = right_of_plate(frame); });
+  EXPECT_GT(passed, 35);
+  EXPECT_LT(passed, 65);
   EXPECT_EQ(simulation->statistics().leaked, 0);
 }
 

@@ -21,7 +21,7 @@ void each_strong(const AmgMatrix& a, int i, F f) {
 
 void Aggregates::find(const AmgMatrix& a) {
   count = 0;
-  of.assign(a.rows, undecided);
+  assign_kept(of, a.rows, undecided);
   form(a);
   join(a);
   list_members(a.rows);
@@ -60,7 +60,7 @@ void Aggregates::join(const AmgMatrix& a) {
 }
 
 void Aggregates::list_members(int rows) {
-  start.assign(count + 1, 0);
+  assign_kept(start, count + 1, 0);
   for (int i = 0; i < rows; ++i)
     if (of[i] >= 0) ++start[of[i]];
   for (int g = 0, total = 0; g <= count; ++g) start[g] = total += start[g];

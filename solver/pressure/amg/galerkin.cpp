@@ -14,7 +14,7 @@ void Galerkin::form(const AmgMatrix& a, const Aggregates& p, AmgMatrix& coarse) 
   resize_kept(coarse.inverse, rows);
 
   // A chunk of coarse rows gets room for as many links as its members have.
-  room_.assign(chunks_of(rows) + 1, 0);
+  assign_kept(room_, chunks_of(rows) + 1, 0);
   each_chunk(rows, [&](int first, int last) {
     for (int m = p.start[first]; m < p.start[last]; ++m)
       room_[first / chunk_rows + 1] += a.row[p.member[m]].end - a.row[p.member[m]].lower;
@@ -25,9 +25,10 @@ void Galerkin::form(const AmgMatrix& a, const Aggregates& p, AmgMatrix& coarse) 
 
   gathered_.resize(std::max<std::size_t>(gathered_.size(), omp_get_max_threads()));
   for (Gathered& g : gathered_) {
+    reserve_kept(g.place, rows);
     g.place.resize(std::max<std::size_t>(g.place.size(), rows), -1);
-    g.column.reserve(rows);  // no row links to more
-    g.weight.reserve(rows);
+    reserve_kept(g.column, rows);  // no row links to more
+    reserve_kept(g.weight, rows);
   }
   each_chunk(rows, [&](int first, int last) {
     Gathered& found = gathered_[omp_get_thread_num()];

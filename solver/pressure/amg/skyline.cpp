@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "solver/particles/kept.hpp"
+
 namespace seiche::solver {
 namespace {
 
@@ -19,10 +21,10 @@ double dot(const double* a, const double* b, int first, int last) {
 
 void Skyline::factorise(const AmgMatrix& a) {
   rows_ = a.rows;
-  first_.resize(rows_);
-  start_.resize(rows_);
-  inverse_.resize(rows_);
-  work_.resize(rows_);
+  resize_kept(first_, rows_);
+  resize_kept(start_, rows_);
+  resize_kept(inverse_, rows_);
+  resize_kept(work_, rows_);
   int size = 0;
   for (int i = 0; i < rows_; ++i) {
     first_[i] = i;
@@ -30,7 +32,7 @@ void Skyline::factorise(const AmgMatrix& a) {
     start_[i] = size;
     size += i - first_[i] + 1;
   }
-  value_.assign(size, 0);
+  assign_kept(value_, size, 0.0);
   // Each link adds to both its diagonals here, so that a last bit of difference between w_ij and w_ji cannot make a
   // nearly singular matrix indefinite.
   for (int i = 0; i < rows_; ++i) {
