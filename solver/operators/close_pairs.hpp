@@ -34,13 +34,6 @@ struct Collisions {
   Vecs<D> change;                     ///< of the velocity [m/s]
 };
 
-/// How far aside of a wall particle its wall still stops liquid, squared [m^2]. Before a square lattice the nearest
-/// lies at most sqrt(D - 1)/2 l0 aside; a tenth more for one that is bent.
-template <int D>
-double reach_along_wall(double l0) {
-  return 1.21 * 0.25 * (D - 1) * l0 * l0;
-}
-
 /// Perfectly inelastic collision: a pair closer than `distance` that approaches loses its velocity of approach, shared
 /// equally between two fluid particles (momentum is kept). Koshizuka & Oka (1996) use such a collision at 0.5 l0. Where
 /// both are near the free surface the distance is l0 at least: with p given there, pressure can't keep those particles
@@ -73,12 +66,14 @@ void collide_close_pairs(double distance, double l0, const std::vector<std::uint
     }
   };
   const double furthest = std::pow(std::max(distance, l0), 2);
+  // Before a square lattice of wall particles the nearest lies at most sqrt(D - 1)/2 l0 aside; a tenth more where bent.
+  const double aside = 1.21 * 0.25 * (D - 1) * l0 * l0;
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
     count[i] = at_wall[i] = 0;
     if (s.kind[i] != Kind::fluid) continue;
     each_close(
-        i, furthest + reach_along_wall<D>(l0), [&](int, const Vec<D>&) { ++count[i]; }, [&] { at_wall[i] = 1; });
+        i, furthest + aside, [&](int, const Vec<D>&) { ++count[i]; }, [&] { at_wall[i] = 1; });
   }
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < size; ++i) {
@@ -93,34 +88,29 @@ void collide_close_pairs(double distance, double l0, const std::vector<std::uint
 }
 
 /// The same at walls: liquid closer to one than `distance`, l0 near the free surface, less the l0/2 that wall particles
-/// lie behind it loses its velocity against it, and keeps what it has along it, as of a plane and not of the points that
-/// stand for it. Of several wall particles the mean counts: a projection's, which leaves energy no way but down. Where a
-/// wall particle has no normal, in a corner, the line to it takes its place. Beside the rim of a baffle nothing is stopped.
+/// lie behind it loses its velocity against it, and keeps what it has along it. By the distance to the wall itself: its
+/// particles stand at an angle to what moves along a curved wall, and push it back and forth. Beside the rim of a baffle
+/// nothing is stopped.
 /// @param at_wall 1 where a wall particle may be near enough
-template <int D>
+/// @param nearest gives the tank's wall as seen from a point: its distance, negative inside, and its normal there
+template <int D, class Wall>
 void collide_with_walls(double distance, double l0, const std::vector<std::uint8_t>& near,
-                        const std::vector<std::uint8_t>& at_wall, const Neighbours<D>& list, State<D>& s) {
-  const double beside = reach_along_wall<D>(l0);
+                        const std::vector<std::uint8_t>& at_wall, const Wall& nearest, const Neighbours<D>& list,
+                        State<D>& s) {
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < static_cast<int>(s.size()); ++i) {
     if (!at_wall[i]) continue;
-    const double reach = near[i] ? std::max(distance, l0) : distance;
-    Vec<D> sum = Vec<D>::Zero();
-    int walls = 0;
+    const double reach = (near[i] ? std::max(distance, l0) : distance) - 0.5 * l0;
+    const Vec<D>& r = s.position[i];
+    Vec<D>& u = s.velocity[i];
+    const auto stop = [&](const Vec<D>& normal) { u -= std::max(0.0, u.dot(normal)) * normal; };
+    if (const auto wall = nearest(r); -wall.distance < reach) stop(wall.normal);
     for (int j : list[i]) {
-      if (s.kind[j] == Kind::fluid) continue;
-      const Vec<D> rij = s.position[j] - s.position[i];
-      const double r2 = rij.squaredNorm();
-      if (r2 >= reach * reach + beside) continue;
-      Vec<D> normal = s.normal_from(s.position[i], j);
-      if (normal.isZero()) normal = rij / std::sqrt(r2);
-      const double depth = rij.dot(normal), against = s.velocity[i].dot(normal);
-      if (against <= 0 || depth <= 0 || depth >= reach || r2 - depth * depth > beside) continue;
-      if (!s.is_before(s.position[i], j)) continue;
-      sum += against * normal;
-      ++walls;
+      if (s.behind[j] < 0) continue;
+      const BaffleFace<D>& side = s.baffles->faces()[s.behind[j]];
+      const double behind = side.behind(r);
+      if (behind <= 0 && -behind < reach && side.holds(side.foot(r))) stop(side.normal_at(r));
     }
-    if (walls > 0) s.velocity[i] -= sum / walls;
   }
 }
 

@@ -6,18 +6,23 @@
 
 namespace seiche::solver {
 
-/// Divergence of the velocity at fluid and wall particles [1/s].
+/// Gradients of the velocity, the derivative along axis b of component a in row a and column b [1/s].
+template <int D>
+using VelocityGradients = std::vector<Eigen::Matrix<double, D, D>>;
+
+/// Divergence of the velocity at fluid and wall particles [1/s], and its gradient by the liquid around fluid particles,
+/// exact on linear fields of any cloud, 0 where few neighbours make it singular:
+///   (sum_j (u_j - u_i) r_ij^T w/r_ij^2) (sum_j r_ij r_ij^T w/r_ij^2)^-1.
 ///
-/// Where no wall is near: the trace of the velocity's gradient, exact on linear fields of any cloud,
-///   tr[(sum_j (u_j - u_i) r_ij^T w/r_ij^2) (sum_j r_ij r_ij^T w/r_ij^2)^-1],
-/// for the reason for which the pressure's gradient is corrected (gradient.hpp).
+/// Where no wall is near the divergence is the trace of that, for the reason for which the pressure's gradient is corrected (gradient.hpp).
 ///
 /// Beside a wall, and where few neighbours make that singular: (d/n0) sum_j (u_j - u_i).r_ij w/r_ij^2 (Khayyer & Gotoh
 /// 2009, Tanaka & Masunaga 2010). Walls stand still. Behind one the fluid's velocity along the normal goes on mirrored,
 /// u_j.n = -u_i.n, so that over the layers beside a wall the sum is the flow that the wall stops, all of it; along the
 /// wall nothing counts, so that fluid may slide. Walls count as far as they are wet.
 template <int D>
-void velocity_divergence(const Pairs<D>& pairs, double n0, const State<D>& s, Scalars& out) {
+void velocity_divergence(const Pairs<D>& pairs, double n0, const State<D>& s, Scalars& out,
+                         VelocityGradients<D>& gradient) {
   using Matrix = Eigen::Matrix<double, D, D>;
   const int size = static_cast<int>(s.size());
 #pragma omp parallel for schedule(static)
@@ -41,8 +46,9 @@ void velocity_divergence(const Pairs<D>& pairs, double n0, const State<D>& s, Sc
       }
     });
     const Matrix moment = moments.matrix();
-    const bool singular = walled || !((D / n0 * moment).determinant() > least_moment);
-    out[i] = singular ? D / n0 * sum : (gradients.matrix() * moment.inverse()).trace();
+    const bool singular = !((D / n0 * moment).determinant() > least_moment);
+    gradient[i] = singular ? Matrix(Matrix::Zero()) : Matrix(gradients.matrix() * moment.inverse());
+    out[i] = walled || singular ? D / n0 * sum : gradient[i].trace();
   }
 }
 

@@ -13,11 +13,13 @@ class Separation {
         l0_(p.particles.spacing),
         distance_(p.method.separation_distance * p.particles.spacing) {}
 
-  void operator()(const Neighbours<D>& list, State<D>& s) {
+  /// @param nearest as that of collide_with_walls()
+  template <class Wall>
+  void operator()(const Wall& nearest, const Neighbours<D>& list, State<D>& s) {
     switch (model_) {
       case SeparationModel::collide:
         collide_close_pairs(distance_, l0_, s.near_surface, list, s, buffers_);
-        return collide_with_walls(distance_, l0_, s.near_surface, buffers_.at_wall, list, s);
+        return collide_with_walls(distance_, l0_, s.near_surface, buffers_.at_wall, nearest, list, s);
       case SeparationModel::part:
         return part_close_pairs(distance_, list, s, buffers_.change);
       case SeparationModel::none:

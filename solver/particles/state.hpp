@@ -45,13 +45,6 @@ struct State {
     return behind[j] >= 0 && normal[j] == baffles->faces()[behind[j]].normal_at(position[j]);
   }
 
-  /// Whether liquid at r stands before the wall that j stands for, and not beside the rim of a baffle's side.
-  bool is_before(const Vec<D>& r, int j) const {
-    if (behind[j] < 0) return true;
-    const BaffleFace<D>& side = baffles->faces()[behind[j]];
-    return side.holds(side.foot(r));
-  }
-
   void add(const Vec<D>& r, Kind k, const Vec<D>& n, double v = 1);
 
   /// Keeps particles order[0], order[1], ... in that order and drops the others.

@@ -27,6 +27,9 @@ class PressureEquation {
     std::visit([&](const auto& source) { add(source, near, dt * forces.divergence, dt, s); }, source_);
   }
 
+  /// Of u* by the last assemble(); empty where the source needs no divergence.
+  const VelocityGradients<D>& velocity_gradient() const { return gradient_; }
+
   bool is_finite() { return system_.rhs().allFinite(); }
 
   /// Solves it for the state's pressure, starting from what that is, which stays if the solver doesn't converge.
@@ -50,7 +53,8 @@ class PressureEquation {
   void add(const MixedSource& source, const Interactions<D>& near, double by_force, double dt, const State<D>& s) {
     resize_kept(divergence_, s.size());
     resize_kept(excess_, s.size());
-    velocity_divergence(*near.density.pairs, near.density.ref.n0, s, divergence_);
+    resize_kept(gradient_, s.size());
+    velocity_divergence(*near.density.pairs, near.density.ref.n0, s, divergence_, gradient_);
     volume_excess(volume_kernel_, whole_volume_, near.list, s, excess_);
     add_at_each(near.laplacian.ref,
                 [&](int i) { return source(divergence_[i] + by_force, excess_[i], s.near_surface[i], dt); });
@@ -71,6 +75,7 @@ class PressureEquation {
   VolumeKernel volume_kernel_;
   double whole_volume_;  ///< its sum on the lattice
   Scalars divergence_, excess_, solution_;
+  VelocityGradients<D> gradient_;
 };
 
 }  // namespace seiche::solver

@@ -11,6 +11,7 @@
 #include "solver/step/run_state.hpp"
 #include "solver/step/stage.hpp"
 #include "solver/step/watch.hpp"
+#include "solver/tank/turn_along_wall.hpp"
 
 namespace seiche::solver {
 
@@ -54,7 +55,9 @@ class Mps final : public Simulation {
   void solve_pressure(double dt, double surface_density);
   void clip_pressure();
   void correct(double dt);
+  void bend_slope();
   void turn(const BodyForce<D>& force, double dt);
+  void carry_velocity();
   void turn_gain(const BodyForce<D>& force);
   void separate();
   void remove_lost();

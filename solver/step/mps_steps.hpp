@@ -35,6 +35,7 @@ void Mps<D>::step_project_first(double dt) {
   correct(dt);
   shift_(near_.density, dt, s_, change_);
   move_fluid([&](int i) { return Vec<D>(dt * s_.velocity[i] + change_[i]); });
+  carry_velocity();
   turn_gain(force);
   separate();
 }
@@ -86,8 +87,20 @@ void Mps<D>::predict(const BodyForce<D>& force, double dt) {
   viscosity_(near_.laplacian, s_, forces_.viscous);
   forces_.set_body(force, p_.fluid.density, s_);
   const bool now = !walls_->slope(forces_);
+  if (!now) bend_slope();
   each_fluid(s_, [&](int i) {
     s_.velocity[i] += dt * (forces_.viscous[i] + (now ? forces_.body[i] : Vec<D>(Vec<D>::Zero())));
+  });
+}
+
+/// Behind a wall that bends the pressure's slope leaves liquid the acceleration by which it follows the wall.
+template <int D>
+void Mps<D>::bend_slope() {
+  const double l0 = p_.particles.spacing, reach = p_.method.radius_laplacian * l0;
+  each_fluid(s_, [&](int i) {
+    const Vec<D>& r = s_.position[i];
+    if (-tank_->nearest(r).distance > reach) return;
+    forces_.slope[i] -= p_.fluid.density * turn_along_wall(*tank_, r, s_.velocity[i], l0);
   });
 }
 
@@ -144,10 +157,19 @@ void Mps<D>::turn_gain(const BodyForce<D>& force) {
   each_fluid(s_, [&](int i) { s_.velocity[i] += force.of_gain * (s_.velocity[i] - turned_[i]); });
 }
 
+/// A shifted particle takes the velocity of the liquid where it comes to (Lind, Xu, Stansby, Rogers 2012): else liquid at
+/// rest in the lab would be stirred in a tank that spins.
+template <int D>
+void Mps<D>::carry_velocity() {
+  const VelocityGradients<D>& gradient = equation_.velocity_gradient();
+  if (gradient.empty()) return;
+  each_fluid(s_, [&](int i) { s_.velocity[i] += gradient[i] * change_[i]; });
+}
+
 template <int D>
 void Mps<D>::separate() {
   const Stage stage(totals_.seconds["separate"]);
-  separation_(near_.list, s_);
+  separation_([&](const Vec<D>& r) { return tank_->nearest(r); }, near_.list, s_);
 }
 
 }  // namespace seiche::solver

@@ -44,7 +44,7 @@ void density_and_surface(StirredTank& t) {
 void viscous(StirredTank& t) { strain_rate_divergence(t.near_pairs, t.ref, true, t.s, t.vectors); }
 
 void divergence(StirredTank& t) {
-  velocity_divergence(t.near_pairs, t.ref.n0, t.s, t.divergence);
+  velocity_divergence(t.near_pairs, t.ref.n0, t.s, t.divergence, t.gradient);
   volume_excess(t.volume, t.whole, t.list, t.s, t.excess);
 }
 
@@ -58,7 +58,8 @@ void shift(StirredTank& t) { particle_shift(t.near_pairs, t.ref.n0, 0.1, l0, t.n
 
 void separation(StirredTank& t) {
   collide_close_pairs(0.8 * l0, l0, t.near, t.list, t.s, t.collisions);
-  collide_with_walls(0.8 * l0, l0, t.near, t.collisions.at_wall, t.list, t.s);
+  const auto nearest = [&](const Vec<2>& r) { return t.tank->nearest(r); };
+  collide_with_walls(0.8 * l0, l0, t.near, t.collisions.at_wall, nearest, t.list, t.s);
 }
 
 void sizes(benchmark::internal::Benchmark* of) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "solver/operators/close_pairs.hpp"
+#include "solver/operators/divergence.hpp"
 #include "solver/operators/volume.hpp"
 #include "solver/pressure/source.hpp"
 #include "tests/unit/solver/still_tank.hpp"
@@ -26,6 +27,7 @@ inline Parameters tank_of(int particles) {
 /// finds it. KF3, r_e = 2.6 l0.
 struct StirredTank : solver::test::StillTank<2> {
   static constexpr int D = 2;
+  std::shared_ptr<const solver::Shape<D>> tank = solver::make_shape<D>(p);
   solver::WallWetness<D> wetness{w, l0};
   solver::VolumeKernel volume{l0};
   double whole = 1 + solver::lattice_reference<D>(volume, l0).n0;
@@ -33,6 +35,7 @@ struct StirredTank : solver::test::StillTank<2> {
   solver::Pairs<D> near_pairs;
   solver::PressureSystem<D> pressure;
   solver::Scalars divergence, excess;
+  solver::VelocityGradients<2> gradient;
   solver::Vecs<D> vectors;
   solver::Collisions<D> collisions;
   int fluid = 0;
@@ -53,6 +56,7 @@ struct StirredTank : solver::test::StillTank<2> {
     near_pairs.measure(w, list, s);
     slopes = everywhere();
     divergence = excess = solver::Scalars(s.size());
+    gradient.resize(s.size());
     vectors.resize(s.size());
     assemble();
   }

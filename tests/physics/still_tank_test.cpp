@@ -109,6 +109,31 @@ TEST(StillTank, IsStillInASphere) {
   EXPECT_LT(worst.speed, 0.03);
 }
 
+// Half a turn a second about its axis leaves liquid in a circle at rest in the lab, as nothing holds it along the wall.
+TEST(StillTank, IsStillInACircleThatSpins) {
+  Parameters p;
+  p.tank = {.shape = TankShape::sphere, .length = 0, .height = 0, .radius = 0.25, .section = SectionPlane{}};
+  p.fluid.depth = 0.25;
+  p.particles.spacing = 0.25 / 20;
+  p.motion = {.type = MotionType::file, .pivot_y = 0.25};
+  p.motion.series.time = {0, 4, 8, 12};
+  p.motion.series[DegreeOfFreedom::roll] = {0, 720, 1440, 2160};
+  const auto simulation = make_simulation(p, 0);
+  double squares = 0;
+  run(*simulation, 0.1, 1, [&](const Frame& frame) {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+      if (frame.kind[i] != Kind::fluid) continue;
+      const Eigen::Vector3d r(frame.position[i][0], frame.position[i][1], 0);
+      const Eigen::Vector3d u(frame.velocity[i][0], frame.velocity[i][1], 0);
+      sum += (u + frame.pose.omega.cross(r - frame.pose.pivot)).squaredNorm();
+      ++count;
+    }
+    squares = std::max(squares, sum / count);
+  });
+  EXPECT_LT(std::sqrt(squares), 0.02);
+}
+
 // Nothing passes a divider, however the tank moves.
 TEST(Baffle, LetsNothingThrough) {
   for (const double thickness : {0.0, 0.01}) {

@@ -17,7 +17,8 @@ Scalars divergence_of(const K& w, State<D>& s, F u) {
   for (std::size_t i = 0; i < s.size(); ++i)
     if (s.kind[i] == Kind::fluid) s.velocity[i] = u(s.position[i]);
   Scalars out(s.size(), -1);
-  velocity_divergence(test::measured(w, list, s), lattice_reference<D>(w, l0).n0, s, out);
+  VelocityGradients<D> gradient(s.size());
+  velocity_divergence(test::measured(w, list, s), lattice_reference<D>(w, l0).n0, s, out, gradient);
   return out;
 }
 
@@ -80,6 +81,24 @@ TYPED_TEST(Divergence, IsExactOnLinearFieldsOfAnyCloudAndAtItsSurface) {
     ++tested;
   }
   EXPECT_GE(tested, D == 2 ? 60 : 500);
+}
+
+TYPED_TEST(Divergence, ComesWithTheGradientThatLiquidAloneHasAlsoBesideAWall) {
+  constexpr int D = TypeParam::D;
+  const KF3 w{2.6 * l0};
+  Eigen::Matrix<double, D, D> a;
+  for (int k = 0; k < D * D; ++k) a(k / D, k % D) = 3 - k * k;
+  State<D> s = above_a_floor<D>();
+  const auto list = test::listed(s, w.support);
+  for (std::size_t i = 0; i < s.size(); ++i)
+    if (s.kind[i] == Kind::fluid) s.velocity[i] = a * s.position[i] + Vec<D>::Ones();
+  Scalars divergence(s.size());
+  VelocityGradients<D> gradient(s.size());
+  velocity_divergence(test::measured(w, list, s), lattice_reference<D>(w, l0).n0, s, divergence, gradient);
+  for (int layer = 0; layer < 3; ++layer) {
+    const int i = test::nearest<D>(s, layer * l0 * Vec<D>::Unit(1));
+    EXPECT_LT((gradient[i] - a).norm(), 1e-11) << layer;
+  }
 }
 
 TYPED_TEST(Divergence, DryWallsStopNothing) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/tank/shape.hpp"
 #include "tests/unit/solver/cloud.hpp"
 
 namespace seiche::solver {
@@ -22,7 +23,7 @@ State<D> separated(SeparationModel model) {
   s.velocity[1] = -2 * Vec<D>::Unit(0);
   const auto list = test::listed(s, 2 * l0);
   Separation<D> separate(p);
-  separate(list, s);
+  separate([](const Vec<D>&) { return Nearest<D>{.distance = -1}; }, list, s);
   return s;
 }
 

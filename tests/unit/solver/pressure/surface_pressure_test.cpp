@@ -91,7 +91,8 @@ TEST(SurfacePressure, LetsTheLiquidFeelTheNormalViscousStress) {
   PressureSystem<2> system = tank.system(tank.ghost(), 1e-7 * tank.ref.n0);
   Scalars divergence(s.size());
   s.velocity = viscous;
-  velocity_divergence(tank.pairs(), tank.ref.n0, s, divergence);
+  VelocityGradients<2> gradient(s.size());
+  velocity_divergence(tank.pairs(), tank.ref.n0, s, divergence, gradient);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(system.rows());
   for (int k = 0; k < system.rows(); ++k)
     system.rhs()[k] -= tank.ref.lambda * tank.ref.n0 / 4 * divergence[system.particle(k)];
