@@ -91,7 +91,8 @@ void add_check(CLI::App& app, CheckRequest& request) {
       app.add_subcommand("check", "Look for mistakes in a scene")->group("Verbs")->footer(help::check_footer);
   verb->add_option("scene", request.scene, "scene file")->required()->type_name("SCENE");
   add_settings(*verb, request.overrides);
-  verb->add_option("--picture", request.picture, "draw the tank as a run starts, and the axes of its motion, into this file")
+  verb->add_option("--picture", request.picture,
+                   "draw the tank as a run starts, and the axes of its motion, into this file")
       ->type_name("FILE.png");
   verb->callback([&request] {
     const Scene scene = read_scene(request.scene, request.overrides);

@@ -89,8 +89,8 @@ void collide_close_pairs(double distance, double l0, const std::vector<std::uint
 
 /// The same at walls: liquid closer to one than `distance`, l0 near the free surface, less the l0/2 that wall particles
 /// lie behind it loses its velocity against it, and keeps what it has along it. By the distance to the wall itself: its
-/// particles stand at an angle to what moves along a curved wall, and push it back and forth. Beside the rim of a baffle
-/// nothing is stopped.
+/// particles stand at an angle to what moves along a curved wall, and push it back and forth. Beside the rim of a
+/// baffle nothing is stopped.
 /// @param at_wall 1 where a wall particle may be near enough
 /// @param nearest gives the tank's wall as seen from a point: its distance, negative inside, and its normal there
 template <int D, class Wall>
@@ -104,7 +104,7 @@ void collide_with_walls(double distance, double l0, const std::vector<std::uint8
     const Vec<D>& r = s.position[i];
     Vec<D>& u = s.velocity[i];
     const auto stop = [&](const Vec<D>& normal) { u -= std::max(0.0, u.dot(normal)) * normal; };
-    if (const auto wall = nearest(r); -wall.distance < reach) stop(wall.normal);
+    if (const auto wall = nearest(r); - wall.distance < reach) stop(wall.normal);
     for (int j : list[i]) {
       if (s.behind[j] < 0) continue;
       const BaffleFace<D>& side = s.baffles->faces()[s.behind[j]];

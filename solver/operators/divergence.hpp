@@ -14,7 +14,8 @@ using VelocityGradients = std::vector<Eigen::Matrix<double, D, D>>;
 /// exact on linear fields of any cloud, 0 where few neighbours make it singular:
 ///   (sum_j (u_j - u_i) r_ij^T w/r_ij^2) (sum_j r_ij r_ij^T w/r_ij^2)^-1.
 ///
-/// Where no wall is near the divergence is the trace of that, for the reason for which the pressure's gradient is corrected (gradient.hpp).
+/// Where no wall is near the divergence is the trace of that, for the reason for which the pressure's gradient is
+/// corrected (gradient.hpp).
 ///
 /// Beside a wall, and where few neighbours make that singular: (d/n0) sum_j (u_j - u_i).r_ij w/r_ij^2 (Khayyer & Gotoh
 /// 2009, Tanaka & Masunaga 2010). Walls stand still. Behind one the fluid's velocity along the normal goes on mirrored,

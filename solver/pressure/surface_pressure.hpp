@@ -6,8 +6,8 @@
 
 namespace seiche::solver {
 
-/// How far below the free surface the centre of a particle at it lies [m]: l0/2 in the topmost layer, less in proportion
-/// to its number density n for drops and films.
+/// How far below the free surface the centre of a particle at it lies [m]: l0/2 in the topmost layer, less in
+/// proportion to its number density n for drops and films.
 struct SurfaceDepth {
   double l0, topmost;  ///< spacing [m] and the topmost layer's density, on the lattice
 

@@ -157,13 +157,15 @@ void Mps<D>::turn_gain(const BodyForce<D>& force) {
   each_fluid(s_, [&](int i) { s_.velocity[i] += force.of_gain * (s_.velocity[i] - turned_[i]); });
 }
 
-/// A shifted particle takes the velocity of the liquid where it comes to (Lind, Xu, Stansby, Rogers 2012): else liquid at
-/// rest in the lab would be stirred in a tank that spins.
+/// A shifted particle takes the velocity of the liquid where it comes to, as far as that turns there: u + W r by the
+/// antisymmetric part W of its gradient (Lind, Xu, Stansby, Rogers 2012 take all of it). Else liquid at rest in the lab
+/// would be stirred in a tank that spins. By the rest of the gradient a particle that rises beside a floor, shifted back
+/// all the while, would rise ever faster.
 template <int D>
 void Mps<D>::carry_velocity() {
   const VelocityGradients<D>& gradient = equation_.velocity_gradient();
   if (gradient.empty()) return;
-  each_fluid(s_, [&](int i) { s_.velocity[i] += gradient[i] * change_[i]; });
+  each_fluid(s_, [&](int i) { s_.velocity[i] += 0.5 * (gradient[i] - gradient[i].transpose()) * change_[i]; });
 }
 
 template <int D>

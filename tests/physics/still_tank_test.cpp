@@ -77,8 +77,8 @@ TEST(StillTank, KeepsTwoLevelsBesideADivider) {
   EXPECT_LT(worst.speed, 0.015);
 }
 
-// A box that leans is a box turned. Where particles of the second layer are taken for the surface now and then, some are
-// pushed up the walls.
+// A box that leans is a box turned. Where particles of the second layer are taken for the surface now and then, some
+// are pushed up the walls.
 TEST(StillTank, KeepsItsLevelWhereItLeans) {
   for (const double angle : {M_PI / 9, M_PI / 4}) {
     Parameters p = still_tank(0.5, 0.25, 0.3, 0.01);
@@ -180,8 +180,8 @@ TEST(Baffle, HoldsTwoLevelsIn3D) {
   EXPECT_EQ(simulation->statistics().leaked, 0);
 }
 
-// By Torricelli's law, with a contraction of 0.6, what runs out in a second lowers the level by 33 mm, to 7 mm above the
-// middle of the hole: 59 particles, or 475 cm^3. The hole is only two spacings wide.
+// By Torricelli's law, with a contraction of 0.6, what runs out in a second lowers the level by 33 mm, to 7 mm above
+// the middle of the hole: 59 particles, or 475 cm^3. The hole is only two spacings wide.
 TEST(Baffle, LetsLiquidThroughItsHole) {
   Parameters p = dammed();
   p.tank.baffles[0].holes = {{0.12, 0.06, 0.06, 0.02}};

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include <cmath>
 
 #include "tests/unit/solver/still_tank.hpp"
 
