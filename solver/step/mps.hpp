@@ -7,11 +7,11 @@
 #include "solver/operators/surface_detection.hpp"
 #include "solver/operators/viscosity.hpp"
 #include "solver/pressure/pressure_equation.hpp"
+#include "solver/pressure/turn_along_wall.hpp"
 #include "solver/simulation.hpp"
 #include "solver/step/run_state.hpp"
 #include "solver/step/stage.hpp"
 #include "solver/step/watch.hpp"
-#include "solver/tank/turn_along_wall.hpp"
 
 namespace seiche::solver {
 

@@ -159,8 +159,8 @@ void Mps<D>::turn_gain(const BodyForce<D>& force) {
 
 /// A shifted particle takes the velocity of the liquid where it comes to, as far as that turns there: u + W r by the
 /// antisymmetric part W of its gradient (Lind, Xu, Stansby, Rogers 2012 take all of it). Else liquid at rest in the lab
-/// would be stirred in a tank that spins. By the rest of the gradient a particle that rises beside a floor, shifted back
-/// all the while, would rise ever faster.
+/// would be stirred in a tank that spins. By the rest of the gradient a particle that rises beside a floor, shifted
+/// back all the while, would rise ever faster.
 template <int D>
 void Mps<D>::carry_velocity() {
   const VelocityGradients<D>& gradient = equation_.velocity_gradient();

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/tank/shape.hpp"
 #include "tests/unit/solver/cloud.hpp"
 
 namespace seiche::solver {
@@ -23,7 +22,11 @@ State<D> separated(SeparationModel model) {
   s.velocity[1] = -2 * Vec<D>::Unit(0);
   const auto list = test::listed(s, 2 * l0);
   Separation<D> separate(p);
-  separate([](const Vec<D>&) { return Nearest<D>{.distance = -1}; }, list, s);
+  struct FarWall {
+    double distance = -1;
+    Vec<D> normal = Vec<D>::Zero();
+  };
+  separate([](const Vec<D>&) { return FarWall{}; }, list, s);
   return s;
 }
 

@@ -1,4 +1,4 @@
-#include "solver/tank/turn_along_wall.hpp"
+#include "solver/pressure/turn_along_wall.hpp"
 
 #include <gtest/gtest.h>
 
