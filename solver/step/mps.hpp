@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "solver/motion/body_force.hpp"
 #include "solver/motion/level_start.hpp"
 #include "solver/operators/pressure_gradient.hpp"
@@ -56,6 +58,7 @@ class Mps final : public Simulation {
   void clip_pressure();
   void correct(double dt);
   void bend_slope();
+  std::optional<Vec<D>> before_other_wall(int i, const Vec<D>& normal) const;
   void turn(const BodyForce<D>& force, double dt);
   void carry_velocity();
   void turn_gain(const BodyForce<D>& force);

@@ -93,15 +93,38 @@ void Mps<D>::predict(const BodyForce<D>& force, double dt) {
   });
 }
 
-/// Behind a wall that bends the pressure's slope leaves liquid the acceleration by which it follows the wall.
+/// Behind walls that bend the pressure's slope leaves liquid the acceleration by which it follows them: the nearest,
+/// and in a corner also the other.
 template <int D>
 void Mps<D>::bend_slope() {
   const double l0 = p_.particles.spacing, reach = p_.method.radius_laplacian * l0;
   each_fluid(s_, [&](int i) {
-    const Vec<D>& r = s_.position[i];
-    if (-tank_->nearest(r).distance > reach) return;
-    forces_.slope[i] -= p_.fluid.density * turn_along_wall(*tank_, r, s_.velocity[i], l0);
+    const auto bend_at = [&](const Vec<D>& r) {
+      forces_.slope[i] -= p_.fluid.density * turn_along_wall(*tank_, r, s_.velocity[i], l0);
+    };
+    const Nearest<D> wall = tank_->nearest(s_.position[i]);
+    if (-wall.distance > reach) return;
+    bend_at(s_.position[i]);
+    if (const auto other = before_other_wall(i, wall.normal)) bend_at(*other);
   });
+}
+
+/// Of the tank's walls around particle i that stand at an angle of more than 30 degrees to the one with this normal the
+/// nearest: a point l0/10 before it, beside the particle.
+template <int D>
+std::optional<Vec<D>> Mps<D>::before_other_wall(int i, const Vec<D>& normal) const {
+  const double l0 = p_.particles.spacing;
+  const Vec<D>& r = s_.position[i];
+  double least = std::numeric_limits<double>::infinity();
+  std::optional<Vec<D>> found;
+  for (int j : near_.list[i]) {
+    const Vec<D>& other = s_.normal[j];
+    if (s_.kind[j] != Kind::wall || s_.behind[j] >= 0 || other.isZero() || other.dot(normal) > cosine_of_corner)
+      continue;
+    const double depth = other.dot(s_.position[j] - r);  // of the wall particle, l0/2 behind the wall
+    if (depth < least) least = depth, found = r + (depth - 0.6 * l0) * other;
+  }
+  return found;
 }
 
 /// Solves equation (10) for the pressure at the end of the step.
