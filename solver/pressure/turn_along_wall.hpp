@@ -8,8 +8,7 @@ inline constexpr double cosine_of_corner = 0.866;
 
 /// Acceleration of liquid at r [m] that moves at u [m/s] along a wall that bends [m/s^2]: u.n = 0 holds it to
 ///   -(u.(u.grad) n) n,
-/// n the wall's normal, the difference of it over l0 along u taken. Zero in a corner, where liquid comes to
-/// rest.
+/// n the wall's normal, the difference of it over l0 along u taken. Zero in a corner, where liquid comes to rest.
 template <int D>
 Vec<D> turn_along_wall(const Shape<D>& tank, const Vec<D>& r, const Vec<D>& u, double l0) {
   const double speed = u.norm();

@@ -109,7 +109,26 @@ TEST(StillTank, IsStillInASphere) {
   EXPECT_LT(worst.speed, 0.03);
 }
 
-// Half a turn a second about its axis leaves liquid in a circle at rest in the lab, as nothing holds it along the wall.
+/// Greatest root mean square of the liquid's speeds in the lab up to a time [m/s].
+double greatest_rms_in_lab(const Parameters& p, double end) {
+  const auto simulation = make_simulation(p, 0);
+  double greatest = 0;
+  run(*simulation, end / 5, end, [&](const Frame& frame) {
+    double squares = 0, count = 0;
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+      if (frame.kind[i] != Kind::fluid) continue;
+      const Eigen::Vector3d r(frame.position[i][0], frame.position[i][1], frame.position[i][2]);
+      const Eigen::Vector3d u(frame.velocity[i][0], frame.velocity[i][1], frame.velocity[i][2]);
+      squares += (u + frame.pose.omega.cross(r - frame.pose.pivot)).squaredNorm();
+      ++count;
+    }
+    greatest = std::max(greatest, std::sqrt(squares / count));
+  });
+  return greatest;
+}
+
+// A tank that spins about its axis leaves liquid at rest in the lab, as nothing holds it along the wall: here by half a
+// turn a second, and by 0.8 in 3-D, where the liquid also passes the corner of wall and floor.
 TEST(StillTank, IsStillInACircleThatSpins) {
   Parameters p;
   p.tank = {.shape = TankShape::sphere, .length = 0, .height = 0, .radius = 0.25, .section = SectionPlane{}};
@@ -118,20 +137,18 @@ TEST(StillTank, IsStillInACircleThatSpins) {
   p.motion = {.type = MotionType::file, .pivot_y = 0.25};
   p.motion.series.time = {0, 4, 8, 12};
   p.motion.series[DegreeOfFreedom::roll] = {0, 720, 1440, 2160};
-  const auto simulation = make_simulation(p, 0);
-  double squares = 0;
-  run(*simulation, 0.1, 1, [&](const Frame& frame) {
-    double sum = 0, count = 0;
-    for (std::size_t i = 0; i < frame.size(); ++i) {
-      if (frame.kind[i] != Kind::fluid) continue;
-      const Eigen::Vector3d r(frame.position[i][0], frame.position[i][1], 0);
-      const Eigen::Vector3d u(frame.velocity[i][0], frame.velocity[i][1], 0);
-      sum += (u + frame.pose.omega.cross(r - frame.pose.pivot)).squaredNorm();
-      ++count;
-    }
-    squares = std::max(squares, sum / count);
-  });
-  EXPECT_LT(std::sqrt(squares), 0.02);
+  EXPECT_LT(greatest_rms_in_lab(p, 1), 0.02);
+}
+
+TEST(StillTank, IsStillInACylinderThatSpins) {
+  Parameters p;
+  p.tank = {.shape = TankShape::cylinder, .length = 0.2, .height = 0, .radius = 0.15, .axis = Axis::y};
+  p.fluid.depth = 0.1;
+  p.particles.spacing = 0.0125;
+  p.motion = {.type = MotionType::file};
+  p.motion.series.time = {0, 4, 8, 12};
+  p.motion.series[DegreeOfFreedom::yaw] = {0, 1152, 2304, 3456};
+  EXPECT_LT(greatest_rms_in_lab(p, 0.5), 0.02);
 }
 
 // Nothing passes a divider, however the tank moves.
