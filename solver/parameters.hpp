@@ -164,7 +164,7 @@ struct Parameters {
     SeparationModel separation = SeparationModel::collide;
     double separation_distance = 0.8;  ///< pairs nearer than this are separated [l0]
     /// Rate of particle shifting [sqrt(g H)/l0]; 0: none. A wave 20 particles deep fades by it as by a viscosity of
-    /// 5e-5 m^2/s, at a rate of 1 as by 4e-4; at 0.3 it grows.
+    /// 2e-5 m^2/s, at a rate of 1 as by 4e-4; at 0.3 it grows.
     double shift = 0.5;
     ViscousModel viscous = ViscousModel::strain_rate;
     WallModel wall_model = WallModel::ghosts;
