@@ -61,7 +61,7 @@ TYPED_TEST(Surface, ByDensityAndCountIsTheOuterLayer) {
 TYPED_TEST(Surface, OfThePresetIsTheOuterLayerAlsoOfADisorderedBlock) {
   constexpr int D = TypeParam::D;
   const Parameters::Method m;
-  for (const double disorder : {0.0, 0.15 * l0}) {
+  for (const double disorder : {0.0, 0.1 * l0}) {
     Block<D> b(m.radius_density);
     const State<D> lattice = b.s;
     std::mt19937_64 random(1);
