@@ -104,7 +104,8 @@ void collide_with_walls(double distance, double l0, const std::vector<std::uint8
     const Vec<D>& r = s.position[i];
     Vec<D>& u = s.velocity[i];
     const auto stop = [&](const Vec<D>& normal) { u -= std::max(0.0, u.dot(normal)) * normal; };
-    if (const auto wall = nearest(r); - wall.distance < reach) stop(wall.normal);
+    if (const auto wall = nearest(r); wall.distance > -reach) stop(wall.normal);
+    if (!s.baffles) continue;
     for (int j : list[i]) {
       if (s.behind[j] < 0) continue;
       const BaffleFace<D>& side = s.baffles->faces()[s.behind[j]];

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 
 namespace seiche::test {
@@ -34,14 +33,13 @@ render::Process Program::start(const std::filesystem::path& folder, const std::v
 }
 
 bool Program::wait_for(const std::string& text) {
-  char* line = nullptr;
-  std::size_t room = 0;
+  std::array<char, 256> part{};
+  const std::size_t begin = read_.size();
   bool found = false;
-  while (!found && getline(&line, &room, out_.get()) >= 0) {
-    read_ += line;
-    found = std::string(line).find(text) != std::string::npos;
+  while (!found && std::fgets(part.data(), part.size(), out_.get())) {
+    read_ += part.data();
+    found = read_.find(text, begin) != std::string::npos;
   }
-  std::free(line);  // NOLINT(cppcoreguidelines-no-malloc): getline's
   return found;
 }
 
