@@ -18,7 +18,7 @@ usage: ./do VERB
   deps     install the Debian packages that building and running need (root or sudo)
   build    deps, then configure (Release, Ninja) and build into build/
   demo     build, then run scenes/pan2008.toml and say where its movie is
-  test     build with tests, then run them all through CTest
+  test     build with tests and benchmarks, then run all tests through CTest
   bench    build with benchmarks, then run them into out/bench/; './do bench quick' takes a minute
   gallery  build, then make the small pictures of scenes/gallery/ anew; some minutes
   sanitize build the solver's tests with AddressSanitizer and UndefinedBehaviorSanitizer, and run its unit tests
